@@ -6,14 +6,15 @@
 
 namespace si {
 
-/// Texel that the shadow kernel fetched at one pixel on the GPU. A texel that is fetched twice is recorded twice.
+/// Record of one texel fetch of the shadow kernel at one pixel, read back from the GPU. A texel that the kernel fetches
+/// twice has two records.
 struct RecordedTap {
     glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
     double stored = 0;    ///< depth in the map, 0..1
     double weight = 0;    ///< share of the kernel's result
 };
 
-/// Result of the GPU's shadow test at one pixel, for one light.
+/// Result of the GPU's shadow test at one pixel, for one light, as read back for test_light_at_pixel().
 struct TestedPixel {
     int light = 0;  ///< index of light.*
     SurfacePoint point;
@@ -23,11 +24,13 @@ struct TestedPixel {
     KernelFacts kernel;
 };
 
-/// Repeats the shadow test of one pixel and one light on the CPU. Returns map coordinates, bias terms, every tap of the
-/// kernel and a verdict in words.
+/// Repeats the GPU's shadow test of one pixel and one light on the CPU, to explain the pixel. Returns map coordinates,
+/// bias terms, every tap of the kernel and a verdict in words.
+/// @param pixel result of the GPU
 /// @param settings sanitised and within the driver's limits
 /// @param size texels of the map
 /// @param map stored depths of the light's view that the point falls into, top row first; empty: the light has no map
+/// @param driver measured properties of the driver's rasteriser
 Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings,
                                     MapSize size, const FloatImage& map, const RasterTraits& driver);
 

@@ -9,18 +9,20 @@
 
 namespace si {
 
-/// State of an effect in one frame: drawn, cached or not needed.
+/// State of an effect (a piece of rendering work) in one frame: drawn, cached or not needed.
 enum class EffectState {
     Drawn,     ///< this frame computed the effect
     Cached,    ///< the result of an earlier frame is still valid
     NotNeeded  ///< nothing that the frame shows depends on the effect
 };
-/// Returns the name of an effect state in JSON files: "simulated", "reused" or "not called for".
+/// Returns the JSON name of the state of an effect (a piece of rendering work): "simulated", "reused" or "not called
+/// for".
 std::string_view effect_state_key(EffectState state);
-/// Returns the name of an effect state for people: "drawn", "cached" or "not needed".
+/// Returns the state of an effect (a piece of rendering work) as a label for people: "drawn", "cached" or "not needed".
 std::string_view effect_state_label(EffectState state);
 
-/// Piece of rendering work that a frame may draw, reuse or skip, such as the map of one cascade or a blocker search.
+/// Piece of rendering work, such as the map of one cascade or a blocker search, and whether a frame drew, cached or
+/// skipped it. Reports list the effects of a frame, each with its reason.
 struct Effect {
     std::string name;  ///< "map of light 0, cascade 2"
     EffectState state = EffectState::NotNeeded;
@@ -31,8 +33,8 @@ struct Effect {
     bool operator==(const Effect&) const = default;
 };
 
-/// Formats a clause as a sentence: adds a full stop, and a capital letter unless the text begins with a setting key.
-/// Empty text stays empty.
+/// Formats a clause as a sentence for a report. Adds a full stop, and a capital letter unless the text begins with a
+/// setting key such as bias.constant. Empty text stays empty.
 std::string as_sentence(std::string_view text);
 
 }  // namespace si

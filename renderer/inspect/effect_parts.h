@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Input from which the effects of a frame are derived: scene, settings, the frame's passes, forced work.
+/// Input of the functions that list the effects (pieces of rendering work) of a frame: scene, settings, the frame's
+/// passes, and the optimisations that are switched off.
 struct EffectFacts {
     const Scene& scene;
     Settings settings;  ///< sanitised
@@ -33,23 +34,25 @@ constexpr EffectState state_of(PassState state) {
                                         : EffectState::NotNeeded;
 }
 
-/// Appends the effects (pieces of rendering work) within the pass that draws a light's maps: its maps and the alpha
-/// test.
-/// @param out receives the effects
+/// Appends the effects (pieces of rendering work) of the pass that draws a light's shadow maps: one for each of several
+/// maps, and the alpha test. Used to report the work of a frame.
+/// @param f input of the report @param out receives the effects
 void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects (pieces of rendering work) within the pass that draws pages of virtual maps. @param out receives
-/// the effects
+/// Appends the effects (pieces of rendering work) of the pass that draws pages of virtual shadow maps: pages drawn,
+/// kept and not read, and the alpha test. Used to report the work of a frame.
+/// @param f input of the report @param out receives the effects
 void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects (pieces of rendering work) within the pass that filters moments: blur, mip levels, samples.
-/// @param out receives the effects
+/// Appends the effects (pieces of rendering work) of the pass that filters moment maps: blur, mip levels, and several
+/// samples a texel. Used to report the work of a frame.
+/// @param f input of the report @param out receives the effects
 void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects (pieces of rendering work) within the pass that draws the visibility texture: look-ups of each
-/// light, contact shadows.
-/// @param out receives the effects
+/// Appends the effects (pieces of rendering work) of the pass that draws the visibility texture: shadow look-ups of
+/// each light, and contact shadows. Used to report the work of a frame.
+/// @param f input of the report @param out receives the effects
 void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects (pieces of rendering work) within the shading pass: ground, sky, tone curve, and the look-ups of
-/// each light unless a visibility texture has them.
-/// @param out receives the effects
+/// Appends the effects (pieces of rendering work) of the shading pass: ground, sky and tone curve. Without a separate
+/// visibility texture, also the shadow look-ups of each light. Used to report the work of a frame.
+/// @param f input of the report @param out receives the effects
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 
 }  // namespace si

@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Ray-traced reference of one pixel and one light, with the cause of the pixel's shadow error.
+/// Ray-traced visibility of one pixel under one light (the reference), and the cause of the shadow map's error at this
+/// pixel.
 struct FragmentReference {
     PixelState state = PixelState::Background;
     bool lit = true;   ///< result for a light without size
@@ -28,9 +29,10 @@ struct FragmentReference {
     Cause cause;               ///< cause of the error, against the light without size
 };
 
-/// Traces the ray-traced reference at one probed pixel and classifies the pixel's shadow error. Takes some thousand
-/// rays.
-/// @param scene ray-tracing hierarchy over the triangles that were probed
+/// Traces the reference (ray-traced visibility) of one probed pixel under one light and classifies the pixel's shadow
+/// error. Takes some thousand rays.
+/// @param scene ray-tracing hierarchy over the same triangles as the probe
+/// @param light result of the probe for the light
 /// @param traits object_traits() of the probed scene and settings
 /// @throws Error when the probe hit no surface, or a triangle of another scene
 FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Probe& probe,

@@ -8,13 +8,14 @@ namespace si {
 /// Reason why a change of settings is not tried on an imported map.
 inline constexpr std::string_view kNeedsAnotherMap = "needs another map from the engine";
 
-/// Returns true when a setting acts only while a map is fitted or drawn, so that it changes no imported map: its
-/// resolution, format, fit, culling and polygon offset.
+/// Returns true when a setting acts only while a shadow map is fitted or drawn: resolution, format, fit, culling,
+/// polygon offset. Such a setting changes nothing on an imported map, which is given as an image.
 /// @param key key as for find_setting(), such as "light.0.fit"
 bool acts_while_drawing(std::string_view key);
 
-/// Returns true when a setting acts on a map that is drawn again with an imported map's view (map.bundle_maps).
-/// @param key key of a setting that acts while a map is fitted or drawn
+/// Returns true when a setting changes a map that this program draws with the view of an imported map
+/// (map.bundle_maps).
+/// @param key key of a setting for which acts_while_drawing() is true
 bool acts_on_redrawn_map(std::string_view key);
 
 }  // namespace si

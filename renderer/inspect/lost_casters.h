@@ -13,17 +13,18 @@
 
 namespace si {
 
-/// Rule that keeps a caster out of a light's map.
+/// Reason why a shadow caster is missing from a light's shadow map.
 enum class LostBy {
     Culling,    ///< face culling removes every triangle
     NearPlane,  ///< the whole object lies before the near plane
     Blending,   ///< the material blends, and caster.blend is none
 };
 
-/// Returns the name of a rule in JSON: "culling", "near plane" or "blending".
+/// Returns the JSON name of the reason why a caster is missing from a shadow map: "culling", "near plane" or
+/// "blending".
 std::string_view lost_by_key(LostBy by);
 
-/// Object that is to cast a shadow and leaves nothing in the light's map.
+/// Object that should cast a shadow but is missing from a light's shadow map, with the reason.
 struct LostCaster {
     int object = 0;  ///< index into Scene::objects
     LostBy by = LostBy::Culling;
@@ -31,19 +32,27 @@ struct LostCaster {
     std::size_t triangles = 0;  ///< number of triangles of the object
 };
 
-/// Finds the objects that should cast a shadow under a light but leave nothing in its map. Faces are classified as by
-/// the rasteriser: by winding as seen from the light, mirroring transforms undone. Takes time proportional to the
-/// number of objects and to the triangles of lost ones. Returns an empty list when the light has no map.
+/// Finds the objects that should cast a shadow under a light but leave nothing in its shadow map. Front and back faces
+/// follow the winding as seen from the light, as in the rasteriser; mirroring transforms are undone. Takes time
+/// proportional to the number of objects and to the triangles of the objects found. Returns an empty list when the
+/// light has no map.
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light);
 
-/// Returns those lost casters that have a triangle between a surface point and the light.
+/// Returns the lost casters that have a triangle between a surface point and the light, to explain a missing shadow
+/// there.
+/// @param lost objects missing from the light's shadow map, from lost_casters() @param point_ws surface point, world
+/// space
 std::vector<LostCaster> lost_casters_before(const Scene& scene, const std::vector<LostCaster>& lost,
                                             const FittedLight& light, const glm::dvec3& point_ws);
 
-/// Returns a lost caster as a sentence with its fix. @param light index of light.*
+/// Returns a sentence that names an object missing from a light's shadow map, the reason, and the setting that fixes
+/// it.
+/// @param light index of light.*
 std::string lost_caster_text(const Scene& scene, const LostCaster& lost, int light);
 
-/// Formats lost casters as warnings with the fix: one line per object, and one line for all above the limit.
+/// Formats a warning for each object that is missing from a light's shadow map, with the setting that fixes it. One
+/// further line counts the objects above the limit.
+/// @param lost objects from lost_casters()
 /// @param light index of light.*
 /// @param max_lines limit of objects that are named
 std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost, int light,

@@ -14,8 +14,8 @@
 
 namespace si {
 
-/// Distribution of the differences between two maps, in one unit. Differences are above 0 where the imported map lies
-/// farther from the light.
+/// Distribution of the depth differences between an imported shadow map and the map drawn in its place, in one unit.
+/// Signed differences are above 0 where the imported map lies farther from the light.
 struct DepthDifferences {
     double median = 0;         ///< of the absolute differences
     double most_of_99 = 0;     ///< 99th percentile of the absolute differences
@@ -23,7 +23,8 @@ struct DepthDifferences {
     double signed_median = 0;  ///< median with its sign
 };
 
-/// Class of one texel in a comparison of an imported map with the drawn one.
+/// Class of one texel in the comparison of an imported shadow map with the drawn one: which of them holds a caster
+/// there.
 enum class TexelMatch : std::uint8_t {
     Empty,   ///< both maps hold no caster
     Both,    ///< both hold a caster
@@ -32,7 +33,7 @@ enum class TexelMatch : std::uint8_t {
     Masked,  ///< left out of both, as a masked caster may lie here
 };
 
-/// Limits of the gate: the test whether scene, view and raster state reproduce an imported map.
+/// Limits of the gate. The gate tests whether scene, view and raster state reproduce an imported shadow map.
 struct MapGateLimits {
     double missed_share = 1e-3;  ///< of the texels that the imported map covers
     double extra_share = 1e-4;   ///< of the texels that the imported map covers
@@ -44,7 +45,7 @@ struct MapGateLimits {
 /// engine's own space, which no bundle knows.
 inline constexpr MapGateLimits kMovedCasterLimits{.median_steps = 4, .most_steps = 16};
 
-/// Result of the gate: whether the imported and the drawn map agree within MapGateLimits.
+/// Result of the gate, which tests whether an imported shadow map and the drawn one agree within MapGateLimits.
 struct MapGate {
     bool missed = false, extra = false, median = false, most = false;  ///< true: within the limit
     bool passed() const { return missed && extra && median && most; }
@@ -52,14 +53,15 @@ struct MapGate {
     std::string hint;  ///< another convention that would fit; empty: none was found
 };
 
-/// Texels of a rectangle, from the top left; empty where `to` is `from`.
+/// Rectangle of shadow-map texels, counted from the top left. `to` lies outside; the rectangle is empty where `to` is
+/// `from`.
 struct TexelBox {
     glm::ivec2 from{0}, to{0};
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options of a comparison of maps. For casters that the engine's shader moves, compare_imported_maps() replaces
-/// `room_m` and `limits`.
+/// Options for the comparison of an imported shadow map with the drawn one. For casters that the engine's shader moves,
+/// compare_imported_maps() replaces `room_m` and `limits`.
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.
@@ -71,7 +73,8 @@ struct MapCompareOptions {
     MapGateLimits limits;
 };
 
-/// Comparison of one imported map with the drawn one.
+/// Comparison of one imported shadow map with the map drawn from the same view: counts of texels, depth differences,
+/// and the result of the gate.
 struct MapComparison {
     int light = 0, view = 0;
     std::string name;  ///< name of the view, such as "cascade 2 of 4"; empty for a light's only view
@@ -106,7 +109,7 @@ struct MapComparison {
 MapComparison compare_maps(const FloatImage& imported, const FloatImage& drawn, const LightView& view, MapFormat format,
                            const std::vector<bool>& masked = {}, const MapCompareOptions& options = {});
 
-/// Caster of the scene that an imported map lacks.
+/// Object of the scene that casts into the drawn shadow map but is missing, wholly or in part, from an imported map.
 struct LackingCaster {
     std::size_t object = 0;   ///< index in Scene::objects
     std::string path;         ///< of its node
@@ -129,7 +132,8 @@ std::vector<LackingCaster> lacking_casters(const FloatImage& imported, const Flo
                                            const std::vector<ObjectTraits>& traits, double offset_factor = 0,
                                            const Workers& workers = {});
 
-/// Comparison of one imported map with the drawn map, with both images and the casters that it lacks.
+/// Comparison of one imported shadow map with the drawn map, with both images and the objects missing from the imported
+/// map.
 struct ComparedMap {
     MapComparison numbers;
     LightView view;
@@ -146,28 +150,33 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
                                                const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light,
                                                const MapCompareOptions& options = {}, const Workers& workers = {});
 
-/// Returns a sentence on a caster that an imported map lacks.
+/// Returns a sentence on an object that is missing from an imported shadow map: its path, the number of texels, and
+/// whether the map is empty there.
 std::string lacking_caster_text(const LackingCaster& caster);
 
-/// Colours of the difference picture, sRGB.
+/// Colours, sRGB, of texels without a depth difference in the difference picture of an imported and a drawn shadow map.
 struct MapDifferenceColours {
     std::array<std::uint8_t, 3> empty{24, 24, 24}, missed{255, 214, 10}, extra{232, 62, 200}, masked{90, 90, 90};
 };
 
-/// Returns the metres at which the colours of a difference picture end: the 99th percentile, rounded up to one digit,
-/// at least one step of the format.
+/// Returns the depth difference in metres that gets the darkest colour in the difference picture of two shadow maps. It
+/// is the 99th percentile of the differences, rounded up to one digit, and at least one step of the depth format; 0.001
+/// for maps without a difference.
 double difference_scale_m(const MapComparison& comparison);
 
-/// Returns the colour of a difference: white at 0, blue where the imported map lies nearer to the light, red where it
-/// lies farther, darkest at `scale_m`.
+/// Returns the sRGB colour of a depth difference between an imported and a drawn shadow map. It is white at 0, blue
+/// where the imported map lies nearer to the light, and red where it lies farther.
+/// @param metres the difference, above 0 where the imported map lies farther @param scale_m difference of the darkest
+/// colour
 std::array<std::uint8_t, 3> difference_colour(double metres, double scale_m);
 
-/// Draws one of the two compared maps in greys that are linear in distance, a pixel a texel. Both have one scale: black
-/// is the nearest depth of both, white holds no caster.
+/// Draws one of two compared shadow maps in greys that are linear in distance, one pixel for each texel. Both maps
+/// share one scale: black is the nearest depth in either map, white is a texel without caster.
 /// @param image ComparedMap::imported or ComparedMap::drawn
 ByteImage linear_picture(const ComparedMap& map, const FloatImage& image);
 
-/// Draws the difference of two maps, one pixel for each texel.
+/// Draws the depth differences between an imported and a drawn shadow map in colours, one pixel for each texel.
+/// @param scale_m difference_scale_m()
 ByteImage difference_picture(const MapComparison& comparison, double scale_m);
 
 }  // namespace si

@@ -13,24 +13,26 @@
 
 namespace si {
 
-/// Rounds a number up to three significant digits, so that a value that is just large enough stays so. Returns 0 for
-/// numbers that are not positive.
+/// Rounds a number up to three significant digits. Used for suggested biases: a value that is just large enough remains
+/// so. Returns 0 for numbers that are not positive.
 double round_up_3_digits(double v);
 
-/// Setting change that makes one pixel right, computed from the plane of its surface.
+/// Change of settings that makes one pixel's shadow test right, computed from the plane of the pixel's surface.
 struct SuggestedFix {
     std::vector<std::pair<std::string, std::string>> settings;  ///< setting keys and values for set_setting()
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
     double equivalent_bias_texels = 0;  ///< equivalent depth bias of the pixel with the fix; 0: unknown, or no bias fix
 };
 
-/// Formats a fix with the labels that the editor shows: "Slope bias 1.8 texels".
+/// Formats the settings of a suggested fix with the labels that the editor shows: "Slope bias 1.8 texels".
 std::string fix_text(const SuggestedFix& fix, const Settings& settings);
-/// Formats the equivalent depth bias of a fix: " (equivalent depth bias 1.2 texels)". Empty where unknown.
+/// Formats the depth bias that acts against acne as much as a suggested fix does: " (equivalent depth bias 1.2
+/// texels)". Empty where this bias is unknown.
 std::string equivalent_bias_text(const SuggestedFix& fix);
 
-/// Diagnosis of one light's shadow test at a pixel. Depth biases in [least, occluder) are right for the pixel. Below,
-/// the surface shadows itself (acne). Above, the occluder's shadow is lost (peter-panning).
+/// Diagnosis of one light's shadow test at a pixel. Depth biases from `least` up to, but without, `occluder` are right
+/// for the pixel. With less bias the surface shadows itself (acne). With more, the occluder's shadow is lost
+/// (peter-panning).
 struct PixelDiagnosis {
     int light = 0;  ///< index of light.*
     FragmentReference reference;
@@ -57,8 +59,9 @@ struct PixelDiagnosis {
     std::optional<SuggestedFix> fix_of_map;  ///< fix that needs another map from the engine; none on drawn maps
 };
 
-/// Diagnoses one light's shadow test at a probed pixel: verdict in words, window of right biases, suggested fix.
-/// @param settings settings of the probed frame
+/// Diagnoses one light's shadow test at a probed pixel: verdict in words, range of right biases, suggested fix.
+/// @param probe probe of the pixel @param light the probe's result for the light
+/// @param reference ray-traced visibility of the pixel @param settings settings of the probed frame
 PixelDiagnosis diagnose_pixel(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
                               const Settings& settings, const DriverInfo& driver);
 

@@ -16,9 +16,10 @@
 
 namespace si {
 
-/// One depth comparison of a shadow kernel: a texel, its weight, both depths and the result.
+/// Depth comparison of a shadow kernel with one texel: the texel, its weight, stored and compared depth, and the
+/// result.
 struct KernelTap {
-    /// Surface that a texel stores, relative to the receiver's plane.
+    /// Class of the surface that a shadow-map texel stores, relative to the receiver's plane at this texel.
     enum class Meets {
         Nothing,  ///< the texel is empty or outside the map
         Own,      ///< the receiver's plane, within rounding errors; a dark result is acne
@@ -35,8 +36,8 @@ struct KernelTap {
     Meets meets = Meets::Nothing;
 };
 
-/// Intermediate results of a shadow kernel at one pixel besides visibility. Numbers that the kernel does not compute
-/// are NaN.
+/// Intermediate results of a shadow kernel at one pixel, such as blocker distance, penumbra width and moments. Numbers
+/// that the kernel does not compute are NaN.
 struct KernelFacts {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     /// Mean distance from the surface to its occluders, metres along the light's axis.
@@ -56,7 +57,7 @@ struct KernelFacts {
 /// Number of texels to either side of the look-up whose stored depths a probe keeps.
 inline constexpr int kProbeRowReachTexels = 32;
 
-/// Probe of one pixel: the surface that the pixel shows, and its shadow test for every light.
+/// Probe of one pixel: the surface that the pixel shows, and the shadow test of this surface for every light.
 struct Probe {
     bool hit = false;  ///< the pixel shows a surface
     int x = 0, y = 0;  ///< pixel, from the top left

@@ -14,7 +14,7 @@ namespace si {
 
 class ReferenceScene;
 
-/// Row or column of a shadow map's texels along which a cross-section is cut.
+/// Row or column of shadow-map texels that a cross-section of the shadow test shows.
 struct SectionCut {
     int axis = 0;              ///< direction in the map: 0 along u, 1 along v
     int first = 0, count = 0;  ///< texels along the cut, all in Probe::PerLight::rows
@@ -22,17 +22,17 @@ struct SectionCut {
     bool operator==(const SectionCut&) const = default;
 };
 
-/// Point of a cross-section on the first surface from the light, found by rays.
+/// Point of a cross-section where a ray from the light first meets a surface of the scene.
 struct ReferencePoint {
     double along = 0;   ///< map coordinate along the cut, 0..1
     double axis_m = 0;  ///< metres along the light's axis; NaN: no surface
 };
 
-/// Cross-section of a pixel's shadow test through its look-up, in metres. The origin is the surface point: y points
-/// towards the light along the ray of the look-up, x across the ray, with map coordinates. Points off the cut are
-/// projected along its normal.
+/// Cross-section of a pixel's shadow test, in metres, along the light ray of the pixel's look-up. The origin is the
+/// surface point. The axis y points towards the light along this ray; x points across the ray, towards larger map
+/// coordinates. Points off the cut are projected along its normal.
 struct Section {
-    /// Texel in a cross-section, drawn as a step at its stored depth.
+    /// Shadow-map texel in a cross-section, drawn as a step at its stored depth.
     struct Step {
         int texel = 0;                                ///< index along the cut
         glm::dvec2 from{0}, to{0};                    ///< both sides at the stored depth
@@ -50,7 +50,7 @@ struct Section {
         DepthShift amount;
         glm::dvec2 from{0}, to{0};
     };
-    /// Mean and spread of the depths that a moment kernel read.
+    /// Mean and spread of the depths that a moment kernel read, drawn in a cross-section.
     struct Moments {
         double mean = 0, spread = 0;  ///< y of the mean; one standard deviation, NaN: unknown
         double bound = 1;             ///< upper bound of visibility
@@ -98,36 +98,40 @@ struct Section {
     double occluder_m = 0;               ///< distance to the occluder, metres along the light's ray
     bool occluder_in_map = true;         ///< false: removed by culling or the near plane
 
-    /// Returns the step of texel number `texel` along the cut; null: the cut lacks it.
+    /// Returns the step of a shadow-map texel in this cross-section; null when the cut does not contain the texel.
+    /// @param texel index along the cut
     const Step* find_step(int texel) const;
     /// Returns the step of the texel that the look-up falls into; null: the map has no texel there.
     const Step* lookup_step() const { return find_step(lookup_texel); }
     int lookup_texel = 0;  ///< number along the cut of the texel that the look-up falls into
 };
 
-/// Chooses the row or column of texels that shows a pixel's shadow test best. Near a shadow edge that is the direction
-/// of the edge, else the direction in which the surface slopes away from the light faster. Returns a count of 0 when
-/// the light has no map or the map does not cover the point.
-/// @param diagnosis null: none @param size texels of the map
+/// Chooses the row or column of shadow-map texels whose cross-section shows a pixel's shadow test best. Near a shadow
+/// edge the cut crosses the edge. Elsewhere it follows the direction in which the surface slopes away from the light
+/// faster. Returns a count of 0 when the light has no map or the map does not cover the point.
+/// @param light the probe's result for the light @param diagnosis of the same pixel; null: none @param size texels of
+/// the map
 SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
                        MapSize size);
 
-/// Traces the first surfaces from a light along a cut, with eight rays per texel.
-/// @param size texels of the map
+/// Traces rays from a light through a row or column of shadow-map texels to the first surface, eight rays per texel. A
+/// cross-section draws these points beside the stored depths.
+/// @param light the probe's result for the light @param cut the row or column @param size texels of the map
 std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& light,
                                               const SectionCut& cut, MapSize size);
 
 /// Computes the cross-section of a pixel's shadow test along a cut.
 /// @param diagnosis null: none, and the section has no reference
-/// @param resolution texels per side of the map
+/// @param size texels of the map
 /// @param profile reference_profile(), or empty
 Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
                       MapSize size, std::span<const ReferencePoint> profile = {});
 
-/// Computes the cross-section of one light's shadow test at a probed pixel: chooses the cut and traces the profile.
+/// Computes the cross-section of one light's shadow test at a probed pixel. Chooses the row or column of texels, and
+/// traces the first surfaces from the light by rays.
 /// @param light index into Probe::lights
-/// @param diagnoses diagnoses of the probe's lights; lights beyond their number have no reference
-/// @param casters ray-tracing hierarchy; null: no profile
+/// @param diagnoses diagnoses of the probe's lights; lights beyond their number are drawn without reference
+/// @param casters ray-tracing hierarchy of the scene; null: no surfaces are traced
 Section pixel_section(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
                       const Settings& settings, const ReferenceScene* casters);
 

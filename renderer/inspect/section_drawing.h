@@ -13,7 +13,7 @@
 
 namespace si {
 
-/// Role of a mark in a drawing of a cross-section; the mark's colour follows from the role.
+/// Role of a line, area, dot or text in the drawing of a cross-section. Its colour follows from the role.
 enum class Ink {
     Paper,
     Text,
@@ -38,15 +38,15 @@ enum class Ink {
 };
 inline constexpr std::size_t kInks = std::size_t(Ink::Moments) + 1;
 
-/// Colour of a mark's role: sRGB on a light and on a dark background.
+/// Colour of a role in the drawing of a cross-section: sRGB on a light and on a dark background.
 struct InkColour {
     std::string_view key;  ///< lower case, for class names
     std::array<std::uint8_t, 3> on_light, on_dark;
 };
-/// Returns the colour of a mark's role.
+/// Returns the colour of a role of lines, areas and texts in the drawing of a cross-section.
 const InkColour& ink_colour(Ink ink);
 
-/// Line, area, dot or text in a drawing of a cross-section, in pixels.
+/// Line, area, dot or text in the drawing of a cross-section, in pixels.
 struct Mark {
     /// Shape of a mark.
     enum class Kind { Line, Area, Dot, Text };
@@ -63,7 +63,7 @@ struct Mark {
     std::string text;
 };
 
-/// Legend entry of a drawing: the meaning of marks with one shape and role.
+/// Legend entry in the drawing of a cross-section: the meaning of all marks with one shape and role.
 struct LegendRow {
     Mark::Kind kind = Mark::Kind::Line;
     Ink ink = Ink::Text;
@@ -74,7 +74,7 @@ struct LegendRow {
 };
 inline constexpr double kSwatchEms = 1.6;  ///< width of a legend swatch, in text heights
 
-/// Page for a drawing of a cross-section: size and text metrics in pixels.
+/// Page on which a cross-section is drawn: size and text metrics in pixels, and whether to write captions.
 struct SectionPage {
     double width = 960, height = 600;
     double em = 15;                                      ///< height of text
@@ -82,7 +82,8 @@ struct SectionPage {
     std::function<double(std::string_view)> text_width;  ///< width of a text in pixels; none: estimated
 };
 
-/// Drawing of a cross-section: marks in pixels, legend and scale.
+/// Drawing of a cross-section as marks (lines, areas, dots and texts) in pixels, with legend and scale. The editor
+/// paints it, or a file stores it as SVG.
 struct SectionDrawing {
     double width = 0, height = 0;
     std::vector<Mark> marks;        ///< from back to front
@@ -93,16 +94,17 @@ struct SectionDrawing {
     bool broken = false;            ///< distant occluders are drawn in a separate strip at the top
 };
 
-/// Draws a cross-section on a page of the given width. Without captions the drawing has the height of the page. With
-/// captions its height follows from the content, and a long verdict may make it higher than the page.
+/// Lays out a cross-section as lines, areas, dots and texts on a page. Without captions the drawing has the page's
+/// height. With captions the height follows from the content, and a long verdict may exceed the page.
 SectionDrawing draw_section(const Section& section, const SectionPage& page);
 
-/// Makes the colour swatch of a legend entry.
-/// @param left the middle of the swatch's left side, pixels @param em height of the entry's text, pixels
+/// Makes the sample of line or area that a legend entry shows beside its text.
+/// @param row the entry @param left the middle of the sample's left side, pixels @param em height of the entry's text,
+/// pixels
 Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em);
 
-/// Finds the legend entry for a place in a drawing, such as the mouse pointer: that of the nearest line or dot within
-/// `reach`, else of the topmost area. Null: no mark with a legend entry is there.
+/// Finds the legend entry for a position in the drawing of a cross-section, such as the mouse pointer. Takes the
+/// nearest line or dot within `reach`, else the topmost area. Null when no mark with a legend entry is there.
 /// @param at the position, pixels @param reach pixels
 const LegendRow* legend_row_at(const SectionDrawing& drawing, const glm::dvec2& at, double reach);
 

@@ -9,22 +9,23 @@
 
 namespace si {
 
-/// Square of texels that a shadow kernel reads at one pixel. The square may reach outside the map, where map.wrap
+/// Square of shadow-map texels that a kernel reads at one pixel. The square may reach outside the map, where map.wrap
 /// applies.
 struct KernelFootprint {
     glm::ivec2 first{0};  ///< lower left texel
     int count = 1;        ///< texels per side
 };
 
-/// Computes the square of texels that a shadow kernel reads, whatever their weights: centres within `reach_texels` of
-/// the kernel's centre, per axis. Of two texels exactly at that distance, the upper one counts, as in shaders/filters.
+/// Computes the square of shadow-map texels that a kernel reads, also those of weight 0. A texel is read when its
+/// centre lies within `reach_texels` of the kernel's centre along both axes. Of two texels exactly at that distance,
+/// the upper one is read, as in shaders/filters.
 /// @param u, v the kernel's centre in map coordinates, 0..1
 /// @param size texels of the map
-/// @param reach_texels Reach::read
+/// @param reach_texels Reach::read of the kernel
 KernelFootprint kernel_footprint(float u, float v, MapSize size, double reach_texels);
 
-/// Number of pixels that read each texel of one layer of a light's shadow map. Texels are counted as in Probe: x to the
-/// right, y up.
+/// Count, for each texel of one layer of a light's shadow map, of the picture's pixels that read the texel. Texels are
+/// numbered as in Probe: x to the right, y up.
 class TexelUsage {
 public:
     TexelUsage() = default;
@@ -37,16 +38,17 @@ public:
 
     /// Returns the texels per side of the map.
     MapSize size() const { return size_; }
-    /// Returns the share of all texels that at least one pixel's kernel reads.
+    /// Returns the share of the shadow map's texels that the kernel of at least one pixel reads, 0..1.
     double utilisation() const;
-    /// Returns the number of pixels whose kernels read a texel; 0 outside the map.
+    /// Returns the number of pixels whose kernels read a texel of the shadow map; 0 outside the map.
     std::uint32_t pixels(glm::ivec2 texel) const;
-    /// Returns the largest number of pixels that read one texel.
+    /// Returns the largest number of pixels that read the same texel of the shadow map.
     std::uint32_t max_pixels() const;
-    /// Returns an image with a pixel for each texel of the map: the number of picture pixels whose kernels read it. One
-    /// channel, top row first.
+    /// Returns an image of the shadow map's size whose values are the numbers of picture pixels that read each texel.
+    /// One channel, top row first.
     FloatImage counts() const;
-    /// Returns the pixels whose kernels read a texel, in reading order from the top left.
+    /// Returns the pixels of the picture whose kernels read a texel of the shadow map, in reading order from the top
+    /// left.
     std::vector<glm::ivec2> readers(glm::ivec2 texel) const;
 
 private:
@@ -57,17 +59,19 @@ private:
     std::vector<std::uint32_t> begin_;   ///< per footprint: first index in pixels_
     std::vector<std::uint32_t> pixels_;  ///< y * width + x, sorted by footprint
     std::vector<std::uint32_t> counts_;  ///< per texel, bottom row first
-    /// Fills counts_ with the number of pixels that read each texel.
+    /// Fills counts_ with the number of picture pixels that read each texel.
     void count_texels();
 };
 
-/// Computes the texel usage of a map under the kernel and map.wrap of the settings.
+/// Counts, for each texel of one layer of a shadow map, the pixels that read the texel under the settings' kernel and
+/// map.wrap.
 /// @param map_coordinates FrameResult::map_coordinates, read back
-/// @param resolution FrameResult::map_size
+/// @param size FrameResult::map_size
 /// @param layer cube face or cascade
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, MapSize size, int layer = 0);
 
-/// Returns the share of a map's texels that at least one kernel fetches, exactly instead of by bounding squares.
+/// Returns the share of a shadow map's texels that at least one kernel fetches, 0..1. Counts the recorded fetches,
+/// where TexelUsage counts the square around each kernel.
 /// @param texels_read FrameResult::texels_read, read back
 double exact_utilisation(const FloatImage& texels_read);
 

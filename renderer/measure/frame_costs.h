@@ -18,31 +18,35 @@ enum class CostCase { Forced, Camera, Light };
 /// Kind of frames that are timed by default.
 inline constexpr CostCase kDefaultCost = CostCase::Camera;
 
-/// Row of the table of cost cases: key, label and help of one kind of timed frames (CostCase).
+/// Row of the table of cost cases (CostCase): key, label and help of one kind of frames that are timed.
 struct CostRow {
     std::string_view key, label;
     std::string_view when;  ///< "while the camera moves", after "ms a frame"
     std::string_view help;
 };
-/// Returns the table of kinds of timed frames: every pass drawn, moving camera, moving light.
+/// Returns the table of cost cases, the kinds of frames that are timed: everything drawn again, moving camera, moving
+/// light.
 std::span<const CostRow> cost_cases();
-/// Returns the table row of one kind of timed frames.
+/// Returns the table row (key, label, help) of a cost case, the kind of frames that are timed.
 const CostRow& cost_row(CostCase cost);
-/// Returns the keys of all kinds of timed frames for messages and help: "forced, camera, light".
+/// Returns the keys of all cost cases as a list for messages and help: "forced, camera, light".
 std::string cost_keys();
-/// Returns the kind of timed frames with this key. @throws Error naming the known keys
+/// Returns the cost case (kind of frames that are timed) with a key such as "camera". @throws Error naming the known
+/// keys
 CostCase parse_cost(std::string_view key);
 
 /// Turn of camera or light from one timed frame to the next, degrees.
 inline constexpr double kCostStepDegrees = 0.5;
 
-/// Returns the settings of the frames that are timed, one entry a frame, to be repeated in a loop. Forced: the given
-/// settings alone. Camera: the camera turns about its target and back. Light: the light of view.light sinks and comes
-/// back (rises first if it is below the horizon); a camera that looks through the light stays in place.
+/// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: the given
+/// settings alone. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light of
+/// view.light sinks and comes back, or rises first if it is below the horizon. A camera that looks through the light
+/// stays in place.
 /// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 
-/// Sets a frame request to time its passes under a cost case: CostCase::Forced draws every pass again.
+/// Prepares a frame request for timing: passes are timed, and CostCase::Forced draws every pass again instead of using
+/// caches.
 void set_timed_passes(FrameRequest& request, CostCase cost);
 
 }  // namespace si

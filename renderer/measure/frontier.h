@@ -7,24 +7,27 @@
 
 namespace si {
 
-/// Distribution of samples, such as the milliseconds of several frames: median with confidence interval, percentile,
-/// extremes.
+/// Statistics of repeated measurements, such as the milliseconds of several frames: median with confidence interval,
+/// 95th percentile, extremes.
 struct Spread {
     double median = 0, p95 = 0;
     double low = 0, high = 0;                ///< smallest and largest sample
     double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median, within one run of the program
     int samples = 0;                         ///< number of samples
     int bursts = 0;                          ///< number of bursts in which they were taken
-    /// Returns half the confidence interval of the median as a share of the median; 1 when unknown.
+    /// Returns half the confidence interval of the median as a share of the median; 1 when unknown. Used to stop
+    /// measuring when the median is precise enough.
     double relative() const;
     /// Returns half the confidence interval of the median.
     double noise() const { return 0.5 * (median_high - median_low); }
 };
 
-/// Returns the value at a share of the sorted values, at the rank below; `none` without values.
+/// Returns a quantile of `values`, without interpolation: the value at the rank below. Returns `none` when there are no
+/// values.
+/// @param share the quantile, 0..1, such as 0.5 for the median
 double lower_quantile(std::vector<double> values, double share, double none);
-/// Returns half the 95 % confidence interval of the mean of normally distributed values, by Student's t; 0 for fewer
-/// than two values.
+/// Returns half the 95 % confidence interval of the mean of `values`, by Student's t for a normal distribution. 0 for
+/// fewer than two values.
 double half_interval(const std::vector<double>& values);
 
 /// Computes the distribution of samples. The confidence interval is distribution-free, by ranks n/2 -+ 0.98 sqrt(n)
@@ -34,7 +37,7 @@ double half_interval(const std::vector<double>& values);
 /// @param bursts index of the first sample of each burst; empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 
-/// Measured case as a point of the frontier plot: cost and error, with the noise of both. Smaller is better.
+/// Point of the frontier plot: cost and error of a measured case, with the noise of each. Smaller is better.
 struct Dot {
     double cost = 0, error = 0;
     double cost_noise = 0, error_noise = 0;  ///< differences up to the noise do not count
@@ -43,23 +46,26 @@ struct Dot {
 /// Largest noise, as a share of the value, up to which two points may tie.
 inline constexpr double kMaxTieNoise = 0.03;
 
-/// Returns true when point `a` dominates point `b`: worse on neither axis by more than noise (at most kMaxTieNoise),
-/// and better on one by more than noise.
+/// Returns true when point `a` dominates point `b` in cost and error. Then `a` is better in one by more than the noise,
+/// and worse in none by more than the noise. For a worse value, the noise counts up to kMaxTieNoise (a share of the
+/// value).
 bool dominates(const Dot& a, const Dot& b);
 
-/// Computes the Pareto frontier: for each point, true when no other point dominates it. Points closer than noise do not
-/// dominate each other. Points with a value that is not finite are never on the frontier.
+/// Computes the Pareto frontier of error and cost: for each point, true when no other point dominates it. Points closer
+/// than noise do not dominate each other. Points with a value that is not finite are never on the frontier.
 std::vector<bool> frontier(std::span<const Dot> dots);
 
-/// Points of the frontier that improve on the present settings: one with less error, one with less cost.
+/// Advice from a Pareto frontier for the present settings: a point with less error, and a point with less cost.
 struct FrontierAdvice {
     std::optional<std::size_t> better;   ///< cheapest point with a smaller error, at more cost
     double extra_cost = 0;               ///< cost of `better` above the present
     std::optional<std::size_t> cheaper;  ///< cheapest point with no larger error, at less cost
     double saved_cost = 0;               ///< cost of `cheaper` below the present
 };
-/// Finds the points of the frontier that improve on the present settings.
-/// @param on_frontier flags by dot: true on the frontier, as frontier(dots) returns
+/// Finds the points of a Pareto frontier that improve on the present settings: the cheapest with less error, and the
+/// cheapest without more error.
+/// @param present cost and error of the present settings
+/// @param on_frontier for each of `dots`, true when it is on the frontier, as from frontier(dots)
 FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
 
 }  // namespace si

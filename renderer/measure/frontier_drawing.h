@@ -17,7 +17,7 @@ namespace si {
 /// Number of colours for families of kernels, which colour-blind people tell apart.
 inline constexpr int kPlotFamilies = 8;
 
-/// Case of a sweep in the frontier plot.
+/// Measured case of a sweep in the frontier plot (error over cost): names, family of kernels, cost and error.
 struct PlotCase {
     std::size_t of = 0;  ///< index of the case among the caller's
     std::string line;    ///< line that the case belongs to: "PCF 3×3"
@@ -30,7 +30,7 @@ struct PlotCase {
     std::string name() const { return place.empty() ? line : line + ", " + place; }
 };
 
-/// Settings in the frontier plot that are no case of the sweep.
+/// Settings that the frontier plot marks although they are no case of the sweep, such as the present ones.
 struct PlotSpot {
     /// Kind of a spot: the present settings, the pinned or earlier ones, an engine's profile.
     enum class Kind { Present, Pinned, Engine };
@@ -39,7 +39,7 @@ struct PlotSpot {
     Dot dot;
 };
 
-/// Data of a frontier plot: error against cost of measured cases, with their Pareto front.
+/// Data of a frontier plot: error over cost of measured cases, with their Pareto front.
 struct FrontierPlot {
     std::vector<PlotCase> cases;
     std::vector<PlotSpot> spots;
@@ -56,14 +56,15 @@ struct FrontierPlot {
 enum class PlotInk { Paper, Text, Muted, Grid, Beaten, Front, Spot, Family0 };
 inline constexpr std::size_t kPlotInks = std::size_t(PlotInk::Family0) + kPlotFamilies;
 
-/// Returns the role of a family's marks. @param family below kPlotFamilies
+/// Returns the role, and so the colour, of marks in the frontier plot that belong to a family of kernels.
+/// @param family below kPlotFamilies
 PlotInk family_ink(int family);
 
-/// Colour of a mark's role: sRGB on a light and on a dark background.
+/// Colour of a role in the frontier plot: sRGB on a light and on a dark background.
 struct PlotColour {
     std::array<std::uint8_t, 3> on_light, on_dark;
 };
-/// Returns the colour of a mark's role.
+/// Returns the colour of a role of lines, areas and texts in the frontier plot.
 const PlotColour& plot_colour(PlotInk ink);
 
 /// Line, shape or text in a frontier plot, in pixels.
@@ -88,7 +89,7 @@ struct PlotMark {
 /// Height of small text, share of the em.
 inline constexpr double kSmallText = 0.85;
 
-/// Page of a frontier plot: size and text metrics in pixels.
+/// Page of a frontier plot: size and text metrics in pixels, and the parts to draw.
 struct PlotPage {
     double width = 640, height = 360;  ///< width of the page; height of the box with the axes
     double em = 13;                    ///< height of text; small text is smaller
@@ -98,38 +99,43 @@ struct PlotPage {
     std::function<double(std::string_view, double size, bool strong)> text_width = {};  ///< none: estimated
 };
 
-/// Place of a case or spot in a drawing, with the ends of its whisker, pixels.
+/// Pixel position of a case, or of other marked settings, in a drawn frontier plot. Its whisker shows the noise of the
+/// cost.
 struct PlotPlace {
     std::size_t of = 0;  ///< PlotCase::of, or the index of the spot
     glm::dvec2 at{0};
     double left = 0, right = 0;  ///< cost minus and plus its noise
 };
 
-/// Drawing of a frontier plot: marks from back to front, and the places that a mouse can find.
+/// Drawing of a frontier plot: lines, areas and texts from back to front, and the positions of cases for the mouse.
 struct FrontierDrawing {
     double width = 0, height = 0;
     std::vector<PlotMark> marks;
     std::vector<PlotPlace> cases, spots;
 };
 
-/// Draws a frontier plot: a line a kernel, the Pareto front as a bold stair with a label a step, spots as diamonds.
-/// Lines without a case on the front are thin and grey. Whiskers stand where the noise of neighbours on the front
-/// overlaps.
+/// Draws a frontier plot: one line for each kernel, and the Pareto front as bold stairs with a label for each step.
+/// Lines without a case on the front are thin and grey. Settings outside the sweep are diamonds. Whiskers show the
+/// noise where that of neighbours on the front overlaps.
 FrontierDrawing frontier_drawing(const FrontierPlot& plot, const PlotPage& page);
 
-/// Returns the sentence on the knee: "PCF 3×3, 2048²: 0.021 for 6 ms; nothing within 2 × is a quarter better."
+/// Returns a sentence on the knee of the Pareto front, the case after which more cost buys little. Example: "PCF 3×3,
+/// 2048²: 0.021 for 6 ms; nothing within 2 × is a quarter better."
 std::string knee_sentence(const FrontierPlot& plot);
-/// Formats a cost of a case with its unit: "6.1 ms of processor", "< 0.4 ms" for a bound.
+/// Formats the cost of a case in the frontier plot with its unit, such as "6.1 ms of processor" for processor time.
+/// @param bound true: the cost is only an upper bound, "< 0.4 ms"
 std::string plot_cost_text(const FrontierPlot& plot, double cost, bool bound);
 
-/// Row of the table of best cases within a multiple of the base's cost.
+/// Row of the table below a frontier plot: the case with the least error within a cost limit. The limit is a multiple
+/// of the base case (hard kernel, 1024 texels).
 struct BestRow {
     double multiple = 1;
     std::optional<std::size_t> best;  ///< index in FrontierPlot::cases; nullopt: none costs so little
 };
-/// Lists the best cases within 1, 2, 4 and 8 times the base's cost; empty without a base.
+/// Lists the cases with the least error within four cost limits, for the table below a frontier plot. The limits are 1,
+/// 2, 4 and 8 times the cost of the base case (hard kernel, 1024 texels). Empty when the base's cost is unknown.
 std::vector<BestRow> best_rows(const FrontierPlot& plot);
-/// Returns the dots of a plot's cases.
+/// Returns cost and error of all cases of a frontier plot, in their order.
 std::vector<Dot> dots_of(const FrontierPlot& plot);
 
 }  // namespace si

@@ -16,14 +16,14 @@
 
 namespace si {
 
-/// Step of a path: the settings that move, with their values.
+/// Point of a light's path: the settings of lights that change along the path, with their values.
 struct PathPoint {
     std::vector<std::pair<std::string, std::string>> values;  ///< setting key and value
     std::optional<double> hour = {};                          ///< solar time of a day's path
     bool operator==(const PathPoint&) const = default;
 };
 
-/// Path of a light as a list of points.
+/// Path along which a light moves, as a list of points to measure.
 struct LightPath {
     std::string about;  ///< "light.azimuth=0:90" or "the sun at latitude 48, day 172"
     std::vector<PathPoint> points;
@@ -33,19 +33,22 @@ struct LightPath {
 inline constexpr int kPathSteps = 12;
 inline constexpr int kMaxPathSteps = 1000;
 
-/// Makes a path on which settings of lights move together from their first to their last value, ends included.
+/// Makes a path on which settings of lights, such as azimuth and elevation, change together from first to last value,
+/// ends included.
 /// @param text "KEY=from:to,KEY=from:to" (the option --along) @param steps number of points, at least 2
 /// @throws UsageError for another form, a key that is no number of a light, one without effect, a value out of range
 LightPath straight_path(std::string_view text, int steps, const Settings& settings);
 
-/// Makes the path of the sun over a day, for view.light. @param text "LATITUDE,DAY" (the option --day): degrees, north
-/// positive; day of the year from 1 @throws UsageError for another form, a polar night, a light that is no sun
+/// Makes the path of the sun over a day for the directional light of view.light, from sunrise to sunset.
+/// @param text "LATITUDE,DAY" (the option --day): degrees, north positive; day of the year from 1
+/// @param steps number of points
+/// @throws UsageError for another form, a polar night, a light that is not directional
 LightPath day_path(std::string_view text, int steps, const Settings& settings);
 
-/// Returns settings at a point of a path.
+/// Returns a copy of the settings with the light at a point of its path.
 Settings settings_at(Settings settings, const PathPoint& point);
 
-/// Change of visibility from one point to the next, over pixels that are counted at both.
+/// Change of visibility from one point of a light's path to the next, over pixels that the error metrics count at both.
 struct PathChange {
     std::size_t pixels = 0;  ///< counted at both points
     double drawn = 0;        ///< mean of |V changed by|
@@ -54,11 +57,13 @@ struct PathChange {
     std::size_t flips = 0;   ///< pixels whose V crosses one half while R stays on its side
 };
 
-/// Compares the visibility of two points with the reference's. @param before,now of one camera and size
+/// Compares the change of visibility between two points of a light's path with the change in the reference (ray-traced
+/// shadows). Change beyond the reference's is shimmer. @param before, now pixels at the two points, same camera and
+/// size
 PathChange path_change(const std::vector<ClassifiedPixel>& before, const Reference& reference_before,
                        const std::vector<ClassifiedPixel>& now, const Reference& reference_now);
 
-/// Measured point of a path.
+/// Measurement at one point of a light's path: error, cost, time, and change since the point before.
 struct PathStep {
     PathPoint point;
     ErrorMetrics error;
@@ -67,19 +72,19 @@ struct PathStep {
     std::optional<PathChange> change;  ///< from the point before; none at the first
 };
 
-/// Options of a measurement along a path.
+/// Options for measuring shadows along a light's path.
 struct LightPathOptions {
     bool time = true;              ///< time frames
     CostCase cost = kDefaultCost;  ///< kind of frames to time
 };
 
-/// Measurements along a path.
+/// Measurements of shadows along a light's path, one step for each point.
 struct LightPathResult {
     LightPath path;
     std::vector<PathStep> steps;  ///< the first points of the path while it is measured
     std::string clock;            ///< clock of the times; empty: not timed
     CostCase cost = kDefaultCost;
-    /// Returns the index of the step with the largest error; 0 without steps. @param metric whose error
+    /// Returns the index of the path's step with the largest error by a metric; 0 without steps.
     std::size_t worst(const Metric& metric) const;
 };
 

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Comparison of a frame with the ray-traced reference of view.light: error metrics, work, pictures.
+/// Comparison of a frame with the ray-traced reference of view.light: error metrics, work of the frame, and pictures.
 struct Classification {
     ErrorMetrics error;
     std::shared_ptr<const Reference> reference;
@@ -21,8 +21,8 @@ struct Classification {
     std::vector<std::string> notes;           ///< warnings of the renderer, such as repaired settings
 };
 
-/// Sequence of frames under the same settings, drawn to be timed with everything drawn again, a moving camera, or a
-/// moving light (CostCase).
+/// Sequence of frames under the same settings, drawn to be timed. By CostCase every pass is drawn again, or the camera
+/// or a light moves.
 class TimedFrames {
 public:
     /// Prepares the frames and traces the rays that light sources need.
@@ -30,15 +30,16 @@ public:
     /// @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
                 ReferenceCache& references, const Workers& workers);
-    /// Switches optimisations off in all frames, so that the work that they skip is drawn.
+    /// Switches optimisations off in all frames of the sequence, so that the work that they skip is drawn.
     void switch_off(OptimisationSet optimisations);
-    /// Draws the next timed frame and returns its pass times.
+    /// Draws the next frame of the timed sequence and returns its pass times.
     FrameResult draw_next();
-    /// Draws untimed frames until cached results are valid again. Call after other settings were drawn.
+    /// Draws frames without timing them until cached results are valid again. Call after frames with other settings
+    /// were drawn.
     void warm_up();
 
 private:
-    /// Settings and request of one timed frame.
+    /// Settings and request of one frame of a timed sequence.
     struct Frame {
         Settings settings;
         FrameRequest request;
@@ -49,8 +50,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Measures shadow error and frame time of settings at one picture size. Keeps traced references for the next
-/// measurement. Use on the renderer's thread.
+/// Measurer of the shadow error and frame time of settings, for pictures of one size. Keeps traced references for the
+/// next measurement. Use on the renderer's thread.
 class Measurer {
 public:
     /// Makes a measurer for pictures of this size in pixels.
@@ -60,14 +61,18 @@ public:
     /// Sets the threads for tracing, with their stop token and progress report.
     void set_workers(Workers workers) { workers_ = std::move(workers); }
 
-    /// Draws a frame, traces its reference unless cached, and compares both. @throws Error, Cancelled
+    /// Draws a frame, traces its reference by rays unless that is cached, and classifies the shadow error of each
+    /// pixel. Used to measure the error of settings. @throws Error, Cancelled
     Classification classify(const Scene& scene, const Settings& settings);
-    /// Draws and times a fixed number of frames, after untimed frames that warm up caches. @throws Error
+    /// Draws and times a fixed number of frames, after some frames that only warm up caches. Returns the time of each
+    /// frame.
+    /// @param cost kind of frames to time @throws Error, Cancelled
     TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
     /// Times frames until the median has settled or the limit of frames is reached. @throws Error, Cancelled
     TimeMeasurement time(const Scene& scene, const Settings& settings, CostCase cost,
                          const TimeSampler::Limits& limits = {});
-    /// Prepares frames of these settings to be timed one by one.
+    /// Prepares a sequence of frames with these settings, for callers that draw and time the frames one by one.
+    /// @param cost kind of frames to time
     TimedFrames frames(const Scene& scene, const Settings& settings, CostCase cost);
 
 private:

@@ -10,12 +10,14 @@
 
 namespace si {
 
-/// Picture of a frame and the same picture with the reference's shadows of one light, both without overlays.
+/// Picture of a frame, and the same picture with the ray-traced reference's shadows for one light, both without
+/// overlays. Metrics such as FLIP compare them.
 struct PicturePair {
     ByteImage drawn, by_reference;
 };
 
-/// Shadow error of one light in one frame: the reference, every pixel's classification, and metrics over them.
+/// Shadow error of one light in one frame: the reference (ray-traced shadows), the class of every pixel, and metrics
+/// over the pixels.
 struct MeasuredError {
     TracedReference traced;
     ErrorMetrics metrics;
@@ -38,13 +40,16 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
                             const FrameRequest& request, int light, const ReferenceOptions& options,
                             ReferenceCache& cache, const Workers& workers = {}, bool of_pictures = false);
 
-/// Draws the pictures for metrics of pictures (Metric::of_pictures) of view.light.
+/// Draws a frame twice: as it is, and with the reference's shadows for view.light. Metrics that compare pictures need
+/// both (Metric::of_pictures).
 /// @param request holds the reference of this frame
 PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Settings& settings,
                               const FrameRequest& request);
 
-/// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::classified, without metrics:
-/// sum_error_metrics() computes those, on any thread.
+/// Reads back the class of shadow error of each pixel of a drawn frame. Call sum_error_metrics() on the result, on any
+/// thread, to compute the metrics.
+/// @param frame drawn with `picture` and Outputs::classified
+/// @param picture the reference of the frame
 /// @param settings settings of the frame, whose view.light is classified
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      const Settings& settings);

@@ -17,14 +17,14 @@
 
 namespace si {
 
-/// Time that one optimisation saves: a frame without the optimisation minus the frame with it. Noise may make the
-/// difference negative; an interval around 0 shows no saving.
+/// Time that one optimisation saves: a frame without the optimisation minus a frame with it. Noise may make the
+/// difference negative. A confidence interval around 0 shows no effect.
 struct SavedTime {
     Optimisation optimisation;
     Spread ms;  ///< milliseconds
 };
 
-/// Time that each optimisation saves in one frame, measured one by one, with the time of the whole frame.
+/// Times that the optimisations of one frame save, each measured by itself, and the time of the whole frame.
 struct SavedTimes {
     std::vector<SavedTime> optimisations;
     TimeMeasurement frame;                 ///< frames with all optimisations, every pass drawn again
@@ -32,10 +32,11 @@ struct SavedTimes {
     std::optional<Spread> shadow_ms = {};  ///< part of the frame that its shadows cost: minus the same without shadows
     std::optional<Spread> forced_more_ms = {};  ///< what the frame costs more with all optimisations off
 
-    /// Returns the time that an optimisation saves, in milliseconds; null: not measured.
+    /// Returns the measured time that an optimisation saves, in milliseconds; null when it was not measured.
     const Spread* saved_ms(Optimisation optimisation) const;
-    /// Returns the time in milliseconds that an effect saves by being skipped or cached. For a skipped effect it is the
-    /// time that its optimisation saves in all effects together; for a cached one, the time of its pass. Null: unknown.
+    /// Returns the time in milliseconds by which a frame is shorter because an effect (a piece of rendering work) was
+    /// skipped or cached. For a skipped effect it is the time that its optimisation saves in all effects together. For
+    /// a cached effect it is the time of its pass. Null when unknown.
     const Spread* saved_ms(const Effect& effect) const;
 };
 
@@ -53,7 +54,8 @@ std::vector<SavedTime> time_optimisations_alternating(
 inline constexpr int kSavedTimeRounds = 15;
 
 /// Measures the time that optimisations save in a frame. Draws every pass again, except for optimisations that depend
-/// on earlier frames (Static, EarlyOut): these are timed by CachedFrames. Static is left out where no animation plays.
+/// on earlier frames (StaticCasterCache, EarlyOut): these are timed by CachedFrames. StaticCasterCache is left out
+/// where no animation plays.
 /// @param request frames to draw; `forced`, `force` and `timing` are set here
 /// @param report receives the share done, 0..1
 /// @param show receives the times so far, after each round of frames
@@ -63,16 +65,16 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
                                const Workers& workers = {}, const std::function<void(double)>& report = {},
                                const std::function<void(const SavedTimes&)>& show = {});
 
-/// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. For
-/// Optimisation::StaticCasterCache the animation plays, else the camera turns.
+/// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. The animation plays
+/// for Optimisation::StaticCasterCache; for others the camera turns.
 class CachedFrames {
 public:
-    /// Prepares the frames. @param optimisation the optimisation to time; Static only for a scene that is_animated()
+    /// Prepares the frames. @param optimisation the optimisation to time; StaticCasterCache needs an animated scene
     CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
-    /// Draws the next frame, and advances the motion at every second call. Call it alternately with and without the
-    /// optimisation in `forced`, so that each step is drawn both ways.
-    /// @param forced the optimisations to switch off, so that all their work is drawn; frames with and without any have
-    /// separate renderers
+    /// Draws the next frame, and advances the motion at every second call. Call alternately with and without the timed
+    /// optimisation in `forced`, so that each step of the motion is drawn both ways.
+    /// @param forced the optimisations to switch off, so that all their work is drawn; empty and other sets have
+    /// renderers, and so caches, of their own
     FrameResult draw(OptimisationSet forced);
 
 private:
@@ -84,11 +86,11 @@ private:
     Renderer optimised_, unoptimised_;
     int drawn_ = 0;
 
-    /// Advances the animation by one frame of 1/30 s.
+    /// Advances the scene's animation by one frame of 1/30 s; does nothing when the camera moves instead.
     void advance_time();
 };
 
-/// Returns the optimisations that skip one of the effects (Effect::optimisation), each once.
+/// Returns the optimisations that skip at least one of the effects (pieces of rendering work), each once.
 std::vector<Optimisation> optimisations_of(std::span<const Effect> effects);
 
 }  // namespace si

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Rounding error of map look-ups by one pipeline (map.origin and map.transform).
+/// Rounding error of shadow-map look-ups by one pipeline, a combination of map.origin and map.transform.
 struct PipelineError {
     MapOrigin origin;
     MapTransform transform;
@@ -18,8 +18,8 @@ struct PipelineError {
     std::size_t flips = 0;         ///< pixels lit here and in shadow by the first pipeline, or the reverse
 };
 
-/// Measures the rounding errors of the four look-up pipelines (map.origin times map.transform) in one picture. The
-/// first is the most precise: nearby origin, one matrix.
+/// Measures the rounding errors of shadow-map look-ups in one picture by all four pipelines, the combinations of
+/// map.origin and map.transform. The first is the most precise: nearby origin, one matrix.
 /// @param width, height of the picture in pixels @throws Error when view.light has no map
 std::vector<PipelineError> compare_pipelines(Renderer& renderer, const Scene& scene, const Settings& settings,
                                              int width, int height);

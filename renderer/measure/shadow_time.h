@@ -21,25 +21,27 @@ class Measurer;
 /// Kind of frames whose shadow time is the cost axis of the frontier: the light moves, so that its maps are drawn.
 inline constexpr CostCase kFrontierCost = CostCase::Light;
 
-/// Returns the settings, as keys with values, of the base of all multiples of costs: the hard kernel, 1024 texels.
+/// Returns the settings (key, value) of the base case, whose cost is the unit for multiples of costs: the hard kernel
+/// in a map of 1024 texels.
 const std::vector<std::pair<std::string, std::string>>& base_of_costs();
-/// Returns the base's name: "Hard (nearest), 1024²".
+/// Returns the name of the base case, whose cost is the unit for multiples of costs: "Hard (nearest), 1024²".
 std::string base_of_costs_name();
 
-/// Returns the settings of the same frame without shadows: every light has the source "none". Shading stays.
+/// Returns a copy of the settings in which no light casts shadows (source "none"), with the same shading. Used to time
+/// the shadows alone.
 Settings without_shadows(Settings settings);
 
-/// Differences of frame times with and without shadows, milliseconds, one per pair of frames.
+/// Times of the shadows alone, in milliseconds: frames with shadows minus the same frames without, one value per pair.
 struct ShadowSamples {
     std::vector<double> moving_ms;       ///< the light of view.light moves: maps, preparation and look-ups
     std::vector<double> still_ms;        ///< the camera moves and maps are kept; as many as `moving_ms`
     std::vector<double> forced_more_ms;  ///< what the frame costs more with all optimisations off; any number
     std::vector<std::size_t> bursts;     ///< index of the first pair of each burst
-    /// Appends other differences as bursts of their own.
+    /// Appends the shadow times of other pairs of frames. Their bursts (runs of frames without a pause) stay separate.
     void add(const ShadowSamples& more);
 };
 
-/// Time of the shadows of one case: distributions over pairs of frames, milliseconds.
+/// Time of the shadows alone under one set of settings: statistics over pairs of frames, milliseconds.
 struct ShadowTime {
     Spread moving_ms;                                           ///< in a frame in which the light moves
     Spread still_ms;                                            ///< in a frame in which only the camera moves
@@ -50,24 +52,27 @@ struct ShadowTime {
 /// Computes the distribution of differences of either sign. @param bursts index of the first value of each burst;
 /// empty: one burst
 Spread spread_of_differences(std::vector<double> values, std::span<const std::size_t> bursts = {});
-/// Returns true when a time does not differ from 0 by more than its noise.
+/// Returns true when a measured time does not differ from 0 by more than its noise.
 bool below_noise(const Spread& time);
-/// Returns the time that a plot shows: the median, or the upper end of its interval when it is below its noise.
+/// Returns the value at which a plot shows a measured time. It is the median, or the upper end of the confidence
+/// interval when the time is below its noise.
 double time_or_bound(const Spread& time);
-/// Returns the ratio of two times; NaN when one of them is below its noise.
+/// Returns the ratio of the medians of two measured times; NaN when one of them is below its noise.
 double time_ratio(const Spread& time, const Spread& base);
 
-/// Computes the distributions of the differences. Leaves ShadowTime::of_base unknown.
+/// Computes the statistics of measured shadow times. Leaves ShadowTime::of_base unknown.
 ShadowTime summarise_shadow(const ShadowSamples& samples);
-/// Returns true when further pairs would add little: the interval of the moving light's shadow time is within 5 % of
-/// the time or 2 % of the whole frame's. @param frame_ms median of the frame with shadows
+/// Returns true when more measurements of shadow time would add little, with a moving light. After at least kMinBursts
+/// bursts, half the confidence interval must be within 5 % of the shadow time or 2 % of the frame time.
+/// @param frame_ms median time of the frame with shadows
 bool shadow_settled(const ShadowSamples& samples, double frame_ms);
 
-/// Draws frames of several kinds in turns, and returns the times by kind and round, milliseconds. The order is reversed
-/// in every other round, since the first frame of a round finds the caches of the round before.
+/// Draws frames of several kinds alternately, for fair timing, and returns the milliseconds by kind and round. Every
+/// other round has the reversed order, since its first frame finds the caches of the round before.
+/// @param rounds number of frames of each kind @param kinds number of kinds
 /// @param draw_ms a function that draws the next frame of a kind, below `kinds`, and returns its milliseconds
 std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::function<double(int kind)>& draw_ms);
-/// Returns the differences a - b of the times of one round each.
+/// Returns the differences a[i] - b[i] of two lists of frame times, one for each round in which both were measured.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Measures `pairs` pairs of frames with and without shadows with a moving light, as many with a moving camera, and one
@@ -76,15 +81,16 @@ std::vector<double> differences(const std::vector<double>& a, const std::vector<
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop = {});
 
-/// Times of one of several settings that are measured in turns.
+/// Times of one set of settings among several that are measured alternately.
 struct TurnTimes {
     ShadowSamples shadow;
     TimeSamples frames;  ///< frames with shadows
 };
 
-/// Measures several settings in turns, until all have settled or after 8 turns. Every other turn goes in reversed
-/// order.
-/// @param burst a function that adds a burst of pairs to the times of the settings of an index
+/// Measures the shadow times of several sets of settings alternately, one burst of frames at a time. Ends when all have
+/// settled or after 8 turns. Every other turn has the reversed order.
+/// @param count number of sets
+/// @param burst a function that measures a burst for the set of an index and adds it to the set's times
 std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst);
 
 /// Number of pairs in a burst of time_in_turns().

@@ -15,22 +15,23 @@ namespace si {
 /// Motion under which shimmering shadow edges are measured.
 enum class ShimmerMotion { CameraMoves, CameraTurns, LightTurns };
 
-/// Row of the table of motions for the shimmer measurement.
+/// Row of the table of motions under which shimmering shadow edges are measured: key, label and help.
 struct ShimmerMotionRow {
     ShimmerMotion motion;
     std::string_view key, label, help;
 };
-/// Returns the table of motions for the shimmer measurement.
+/// Returns the table of motions of camera or light under which shimmering shadow edges are measured.
 std::span<const ShimmerMotionRow> shimmer_motions();
 
-/// Options of the shimmer measurement: motion, number and length of steps.
+/// Options for measuring shimmering shadow edges: motion, number and length of steps.
 struct ShimmerOptions {
     ShimmerMotion motion = ShimmerMotion::CameraMoves;
     int steps = 32;            ///< number of steps
     double step_texels = 0.3;  ///< length of a step at the scene's centre, texels of the first map of view.light
 };
 
-/// Shimmering of shadow edges under one setting. A pixel flips when its visibility crosses one half between two steps.
+/// Measured shimmering of shadow edges under one set of settings. A pixel flips when its visibility crosses one half
+/// from one step of the motion to the next.
 struct Shimmer {
     std::size_t places = 0;           ///< number of pixels that show a surface
     std::vector<std::size_t> flips;   ///< flipped pixels per step
@@ -49,13 +50,13 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
                         const ShimmerOptions& options, const Workers& workers = {},
                         const std::function<void(double)>& report = {});
 
-/// Settings for a comparison of shimmering, with their name.
+/// Named settings for a comparison of shimmering shadow edges.
 struct ShimmerVariant {
     std::string_view key, label;
     Settings settings;
 };
-/// Returns the settings to compare for shimmering: as given, and for suns a stabilised map that snaps to whole texels
-/// and one that does not.
+/// Returns the settings to compare for shimmering shadow edges. These are the given settings and, for a directional
+/// light, a stabilised map that snaps to whole texels and one that does not.
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings);
 
 }  // namespace si

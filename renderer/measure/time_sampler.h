@@ -20,9 +20,9 @@ namespace si {
 double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {},
                 double PassInfo::*time = &PassInfo::gpu_ms);
 
-/// Times of several frames in milliseconds: the total, the maps and each pass, one number per frame.
+/// Times of several frames in milliseconds, one number per frame: in total, for the shadow maps, and for each pass.
 struct TimeSamples {
-    /// Times of one pass, one number per frame in which the pass ran.
+    /// Times of one render pass, one number per frame in which the pass ran.
     struct Pass {
         std::string name;
         std::vector<double> gpu_ms, cpu_ms;
@@ -35,19 +35,19 @@ struct TimeSamples {
     bool burst_ended = true;          ///< the next frame begins a new burst
     std::vector<double> wall_ms;      ///< elapsed time where the others are processor time; otherwise 0
 
-    /// Appends the pass times of a frame.
+    /// Appends the pass times of a drawn frame to the samples.
     void add(const FrameResult& frame);
-    /// Appends other samples. Their bursts (runs of frames without a pause) stay apart from the present ones.
+    /// Appends the samples of other frames. Their bursts (runs of frames without a pause) stay separate.
     void add(const TimeSamples& more);
 };
 
-/// Distribution of one pass's times over several frames.
+/// Statistics of one render pass's times over several frames.
 struct PassTime {
     std::string name;
     Spread gpu_ms, cpu_ms;
 };
 
-/// Measured time of a frame: distributions over several frames, in milliseconds.
+/// Measured time of a frame: statistics over several frames, in milliseconds.
 struct TimeMeasurement {
     Spread total_ms;                   ///< sum over all passes
     Spread maps_ms;                    ///< sum over passes that draw or change shadow maps
@@ -60,7 +60,8 @@ struct TimeMeasurement {
     CostCase cost = CostCase::Forced;  ///< kind of frames that were timed
 };
 
-/// Returns the unit of times by a clock: "ms of processor" or "ms".
+/// Returns the unit of times from a clock: "ms of processor" for processor time, else "ms". @param clock name of the
+/// clock
 std::string_view time_unit(const std::string& clock);
 
 /// Limit of Spread::relative() of the total below which a time has settled.
@@ -68,15 +69,17 @@ inline constexpr double kSettledSpread = 0.03;
 /// Smallest number of bursts for a settled time. Fewer bursts do not show how bursts differ.
 inline constexpr int kMinBursts = 3;
 
-/// Computes the distributions of sampled pass times. @param settled_below limit of Spread::relative() of the total
+/// Computes the statistics of sampled pass times.
+/// @param settled_below limit of Spread::relative() below which the total has settled
 TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below = kSettledSpread);
 
-/// Collects pass times of frames of one setting until their median has settled. Frames come in bursts spread over a
-/// second or more, since the speed of a machine drifts more slowly than a few frames. Cached passes count as 0 ms, so
-/// frames must be requested by set_timed_passes().
+/// Collector of the pass times of frames under one set of settings, until their median has settled. Frames come in
+/// bursts over a second or more, since a machine's speed drifts more slowly than a few frames. Request the frames by
+/// set_timed_passes(), as cached passes count as 0 ms.
 class TimeSampler {
 public:
-    /// Limits of a timing: numbers of frames and bursts, duration, settled spread.
+    /// Limits of a timing: numbers of frames and bursts, shortest duration, and the interval at which the median has
+    /// settled.
     struct Limits {
         int least = 5, most = 60;        ///< smallest and largest number of frames
         double spread = kSettledSpread;  ///< limit of Spread::relative()
@@ -87,19 +90,19 @@ public:
     /// Begins a timing with these limits.
     explicit TimeSampler(const Limits& limits) : limits_(limits) {}
 
-    /// Adds the pass times of a frame. The first frame, and the first after a pause, only warms up and is not counted.
-    /// @param now_s time at the frame's end in seconds, by any clock
+    /// Adds the pass times of a drawn frame to the timing. The first frame, and the first after a pause, only warms up
+    /// and is not counted. @param now_s time at the frame's end in seconds, by any clock
     void add(const FrameResult& frame, double now_s);
     /// Returns the seconds to wait before the next frame; 0: none.
     double pause_s() const { return pause_s_; }
     /// Returns the number of counted frames.
     int frames() const { return int(samples_.total_ms.size()); }
-    /// Returns true when the confidence interval of the median frame time is below Limits::spread, and at least
-    /// Limits::least frames and Limits::bursts bursts are taken. Use done() to end a timing.
+    /// Returns true when the median frame time is precise enough: its confidence interval is below Limits::spread,
+    /// after at least Limits::least frames in Limits::bursts bursts. Use done() to end a timing.
     bool settled() const;
     /// Returns true when no further frame is needed: settled, or at the limit of frames.
     bool done() const { return settled() || frames() >= limits_.most; }
-    /// Returns the distributions of the pass times collected so far.
+    /// Returns the statistics of the pass times collected so far.
     TimeMeasurement result() const;
 
 private:
@@ -113,21 +116,22 @@ private:
     int ended_ = 0, in_burst_ = 0;  ///< ended bursts; frames of the present burst
 };
 
-/// Clock for timing frames in bursts: the time, and a function that waits. Tests replace it.
+/// Clock for timing frames in bursts: the present time, and a function that waits. Tests replace both.
 struct BurstClock {
     std::function<double()> now_s;       ///< present time, seconds
     std::function<void(double)> wait_s;  ///< waits so many seconds
-    /// Makes a clock that reads the machine's steady clock and sleeps.
+    /// Makes a clock that reads the machine's monotonic clock and waits by sleeping.
     static BurstClock steady();
 };
 
-/// Times frames in bursts until the median has settled or the limit of frames is reached. Exceptions from `draw` end
-/// the timing and pass through.
+/// Times frames in bursts until the median has settled or the limit of frames is reached. An exception from `draw` ends
+/// the timing and reaches the caller.
 /// @param draw a function that draws one frame with timed passes
+/// @param clock clock of the bursts; tests pass their own
 TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::function<FrameResult()>& draw,
                              const BurstClock& clock = BurstClock::steady());
 
-/// Work of a frame independent of the machine: texels, bytes, draw calls, triangles.
+/// Work of a frame in numbers that do not depend on the machine: texels, bytes, draw calls, triangles.
 struct WorkCost {
     double taps_per_pixel = 0;     ///< texels that the kernel fetches per light and lit pixel
     std::uint64_t map_texels = 0;  ///< texels of all shadow maps
@@ -137,8 +141,8 @@ struct WorkCost {
     std::uint64_t draws = 0, triangles = 0;  ///< sums over all passes that ran
 };
 
-/// Computes the machine-independent work of a frame. @param frame a frame drawn with FrameRequest::force, so that every
-/// pass counts
+/// Computes the work of a frame in numbers that do not depend on the machine.
+/// @param frame a frame drawn with FrameRequest::force, so that every pass counts
 WorkCost work_cost(const Settings& settings, const FrameResult& frame);
 
 }  // namespace si
