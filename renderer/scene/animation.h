@@ -28,14 +28,14 @@ struct AnimationChannel {
     std::vector<float> values;   ///< width numbers per key; Cubic: in-tangent, value, out-tangent
 };
 
-/// One named animation of a scene: keyframe channels that play together.
+/// Named animation of a scene: keyframe channels that play together.
 struct Animation {
     std::string name;
     double duration_s = 0;
     std::vector<AnimationChannel> channels;
 };
 
-/// Transform and morph weights of a node without animation.
+/// Rest pose of a node: its transform and morph weights when no animation plays.
 struct NodeRestPose {
     bool has_trs = true;  ///< false: Node::local is a matrix that no channel may change
     glm::dvec3 translation{0}, scale{1};
@@ -43,7 +43,7 @@ struct NodeRestPose {
     std::vector<float> weights;  ///< of the morph targets of its mesh
 };
 
-/// Animations of a scene and the rest pose of its nodes. Nodes, cameras and lights have the scene's indices.
+/// Animations of a scene and the rest pose of its nodes. Nodes, cameras and lights are indexed as in Scene.
 struct Rig {
     std::vector<Animation> animations;
     std::vector<NodeRestPose> rest;              ///< rest pose of each node
@@ -56,14 +56,14 @@ struct Skin {
     std::vector<glm::dmat4> inverse_bind;
 };
 
-/// Undeformed vertices of a mesh, its morph targets and its skin weights; vertices have the order of the deformed Mesh.
-/// Copies of a scene share it.
+/// Undeformed vertices of a mesh with its morph targets and skin weights, from which each pose is computed. The
+/// vertices have the order of the deformed Mesh. Copies of a scene share this source.
 struct DeformSource {
-    /// Vertex offsets of one morph target.
+    /// Offsets of one morph target, added to the vertices of a mesh.
     struct Target {
         std::vector<glm::vec3> positions, normals, tangents;  ///< empty, or one offset per vertex
     };
-    /// Four joints that move a vertex, and their weights.
+    /// Up to four joints of a skin that move one vertex, and their weights.
     struct Influence {
         std::array<std::uint16_t, 4> joints{};
         glm::vec4 weights{0};
@@ -76,7 +76,8 @@ struct DeformSource {
     std::size_t influence_sets = 0;
 };
 
-/// Deformation of one Mesh of a scene: its undeformed source, its skin, and the nodes that drive them.
+/// Link from one Mesh of a scene to the data that deforms it: undeformed vertices, skin, and the nodes that drive the
+/// pose.
 struct Deformer {
     std::shared_ptr<const DeformSource> source;
     std::shared_ptr<const Skin> skin;  ///< null: only morphed
@@ -84,29 +85,30 @@ struct Deformer {
     int placement = -1;                ///< with a skin: root node that places the object; it moves with the first joint
 };
 
-/// Poses a scene at a time of one of its animations: node transforms, deformed vertices, bounds, cameras, lights and
-/// the settings that those suggest. Resets Scene::placement and gives the scene a new id. Does nothing without a rig.
+/// Poses a scene at a time of one of its animations. Updates node transforms, deformed vertices, bounds, cameras,
+/// lights, and the suggested settings that follow from these. Resets Scene::placement and gives the scene a new id.
+/// Does nothing for a scene without a rig.
 /// @param animation index; -1: the rest pose @param time_s seconds; clamped to the first and last key
 /// @throws Error when there is no such animation
 void pose(Scene& scene, int animation, double time_s);
 
-/// Poses nodes and vertices of a scene as pose() does, but leaves bounds and id alone: for loaders, which call
-/// finalise() next. @throws Error when there is no such animation
+/// Poses nodes and vertices of a scene as pose() does, but leaves bounds and id alone. For loaders, which call
+/// finalise() next. @param animation index; -1: the rest pose @throws Error when there is no such animation
 void apply_pose(Scene& scene, int animation, double time_s);
 
 /// Computes the bounds of a scene over a whole animation, for light fits that must not change with the pose. Sets
-/// Object::animation_bounds of every object that moves or deforms, and Scene::animation_bounds. Poses a copy of the
-/// scene at all keys and at steps between them, and pads by the curvature of the motion. Does nothing when they are
-/// known already.
+/// Scene::animation_bounds, and Object::animation_bounds of every object that moves or deforms. Poses a copy of the
+/// scene at all keys and at steps between them, and pads by the curvature of the motion. Does nothing when the bounds
+/// of this animation are known already.
 /// @param animation index; -1 clears the bounds
 void measure_animation_bounds(Scene& scene, int animation);
 
-/// Returns true when the scene has animation `animation` and it lasts longer than 0 s, so that casters can move and
-/// caching the static ones may save time.
+/// Returns true when the scene has this animation and the animation lasts longer than 0 s. Casters can then move, and
+/// caching the static casters may save time. @param animation index; -1: none
 bool is_animated(const Scene& scene, int animation);
 
-/// Interpolates an animation channel at a time in seconds. Returns its `width` numbers; rotations are normalised
-/// quaternions, x y z w.
+/// Interpolates an animation channel at a time in seconds. Returns AnimationChannel::width numbers; a rotation is a
+/// normalised quaternion, x y z w.
 std::vector<float> sample_channel(const AnimationChannel& channel, double time_s);
 
 }  // namespace si

@@ -8,22 +8,26 @@
 
 namespace si {
 
-/// Returns the rotation from a file's axes to the scene's, in which y is up. UpAxis::File rotates nothing.
+/// Returns the rotation from a file's axes to those of the scene, in which y points up.
+/// @param up the axis that points up in the file; UpAxis::File: no rotation
 glm::dmat3 y_up_from(UpAxis up);
 
-/// Returns the axis that a rotation of y_up_from() turns upwards; UpAxis::Y for any other matrix.
+/// Returns the file axis that a rotation turns upwards, if the rotation is one that y_up_from() returns; UpAxis::Y for
+/// any other matrix.
 UpAxis up_axis_of(const glm::dmat3& rotation);
 
-/// Returns the value of scene.up that means an axis: "z".
+/// Returns the value of the setting scene.up for an axis, such as "z".
 std::string up_axis_key(UpAxis up);
 
-/// Turns and scales a loaded scene, with its skins, animations, cameras and lights, from the up axis and unit that its
-/// loader has applied (Scene::file_up, Scene::file_unit_m) to those that are chosen. Call it before finalise().
+/// Turns and scales a loaded scene to the up axis and unit that the user has chosen for its file. Skins, animations,
+/// cameras and lights follow. Scene::file_up and Scene::file_unit_m state what the loader has applied before, and are
+/// updated. Call before finalise().
 void apply_file_choices(Scene& scene, const FileChoices& choices);
 
 /// Transforms a loaded scene, with its cameras and lights, from the space of its file to metres, y up, right-handed. A
-/// mirrored space keeps cameras unmirrored. Animations stay only where the transform is the identity; a warning tells
-/// so. Call it before finalise().
+/// mirrored space keeps cameras unmirrored. Unless the transform is the identity, animations are dropped with a
+/// warning. Call before finalise().
+/// @param world transform from file to scene
 void apply_world(Scene& scene, const glm::dmat4& world);
 
 }  // namespace si

@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Box and normal cone of a group of neighbouring triangles, in the space of their mesh.
+/// Bounding box and normal cone of a group of neighbouring triangles, in the space of their mesh. Used to test the
+/// visibility of the whole group.
 struct Cluster {
     Bounds box;
     glm::dvec3 axis{0};              ///< unit axis of the normal cone; 0: normals in all directions
@@ -18,18 +19,20 @@ struct Cluster {
 /// Side of its triangles that a whole cluster turns to a viewer; Either: it cannot be told.
 enum class VisibleSide { Either, Front, Back };
 
-/// Returns the side that all triangles of a cluster turn to a viewer or light, by the normal cone.
-/// @param from the light in the mesh's space: its position with w of 1, or the direction towards it with w of 0, of any
-/// length
+/// Returns the side, front or back, that all triangles of a cluster turn to a viewer or light. Returns
+/// VisibleSide::Either when the normal cone cannot tell. Used to skip clusters as a whole.
+/// @param from the viewer or light in the mesh's space: its position with w of 1, or the direction towards it with w of
+/// 0, of any length
 VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from);
 
-/// Splits a mesh into clusters of neighbouring triangles: one for small meshes, at most some thousand for large ones.
-/// Takes linear time.
+/// Splits a mesh into clusters of neighbouring triangles, for visibility tests. Small meshes give one cluster, large
+/// ones at most some thousand. Takes linear time.
 std::vector<Cluster> build_clusters(const Mesh& mesh);
 
 /// Number of indices in one run: large meshes are drawn and culled in runs of this length.
 inline constexpr std::size_t kRunIndices = 3 * 1024;
-/// Returns the box of each run of kRunIndices indices, in the mesh's space. Empty for a mesh of fewer than two runs.
+/// Returns the bounding box, in the mesh's space, of each run of kRunIndices consecutive indices. Large meshes are
+/// drawn and culled in such runs. Empty for a mesh of fewer than two runs.
 std::vector<Bounds> index_run_boxes(const Mesh& mesh);
 
 }  // namespace si

@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Indices and vertex copies of a mesh whose triangles' last corners carry the face normals. The last corner is
-/// OpenGL's default provoking vertex.
+/// Triangle list in which the last corner of each triangle, OpenGL's default provoking vertex, carries the face normal.
+/// A flat vertex attribute then gives each fragment its face normal.
 struct FlatNormalMesh {
     std::vector<std::uint32_t> indices;  ///< the mesh's triangles in order, corners rotated but not mirrored
     std::vector<std::uint32_t> copies;   ///< vertices to append to the mesh's own, as copies of these
@@ -19,7 +19,8 @@ struct FlatNormalMesh {
     std::vector<glm::vec3> normals;
 };
 
-/// Assigns the face normal of each triangle to its last corner, copying vertices where triangles conflict.
+/// Assigns the face normal of each triangle to its last corner, for a flat vertex attribute. Rotates the corners, and
+/// copies a vertex where two triangles need different normals at it.
 /// @param indices a triangle list
 FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 

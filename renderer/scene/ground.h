@@ -5,17 +5,17 @@
 
 namespace si {
 
-/// Returns true when the scene has its own floor for shadows: a landscape, or level surfaces at the bottom without a
-/// roof, over most of its width.
+/// Returns true when a scene has its own floor to receive shadows, so that it needs no ground disc. Such a scene is a
+/// landscape, or has level surfaces without a roof at its bottom, over most of its width.
 bool has_level_surface(const Scene& scene);
 
-/// Adds a ground disc under the scene in its present pose, wide enough for shadows of a light 45 degrees up. It
+/// Adds a ground disc under the scene in its present pose, wide enough for shadows of a light 45 degrees up. The disc
 /// receives shadows, casts none, and is no part of Scene::bounds. Its mesh, material, node and object are the last in
-/// their lists, so that remove_ground() can drop them. Adds nothing when the scene has a ground or a floor or is empty.
-/// Sets Scene::has_floor when the scene has a floor.
+/// their lists, so that remove_ground() can drop them. Does nothing when the scene is empty or already has a ground
+/// disc. A scene with its own floor gets no disc; Scene::has_floor is set instead.
 void add_ground(Scene& scene);
 
-/// Removes the ground disc that add_ground() added, if any.
+/// Removes the ground disc that add_ground() has added to the scene, if any.
 void remove_ground(Scene& scene);
 
 }  // namespace si

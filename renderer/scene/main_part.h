@@ -7,19 +7,21 @@
 
 namespace si {
 
-/// Sets Scene::main_part: the bounds without objects and vertices far from the rest, or empty when nothing is far. Call
-/// after finalise(), before Scene::placement is set. The core of a scene is the box of the 1st to 99th percentiles of
-/// its triangles' corners along each axis. Along an axis on which the scene is more than 20 times as long as the core's
-/// longest side, the main part is what lies within that side of the core. Where no axis is, corners count by area.
+/// Sets Scene::main_part: the bounds of a scene without objects and vertices far from the rest, for framing the first
+/// picture. Empty when nothing is far. Call after finalise(), before Scene::placement is set.
+/// The core of a scene is the box of the 1st to 99th percentiles of its triangles' corners along each axis. The main
+/// part is cut on each axis along which the scene is more than 20 times as long as the core's longest side. It then
+/// ends at that side's length from the core. If there is no such axis, the corners are weighted by area and tested
+/// again.
 void set_main_part(Scene& scene);
 
-/// Returns a sentence that names the object that reaches farthest from the main part of a scene; empty when nothing
-/// does.
+/// Returns a sentence that names the object reaching farthest from the main part of a scene, with its distance. Empty
+/// when all objects lie within the main part.
 std::string far_objects_text(const Scene& scene);
 
-/// Returns true when a scene looks as if z were its up axis: its height is below a quarter of its width or depth, and
-/// the lowest 5 % of its triangles' corners along z lie in one plane. A scene with a floor, which covers more than half
-/// of its ground plan, looks y-up.
+/// Returns true when a scene looks as if its file has z up, for a warning. Its height is then 1 % to 25 % of the larger
+/// of its width and depth. The lowest 5 % of its triangles' corners along z lie in one plane. A scene with a floor,
+/// which covers more than half of its ground plan, looks y-up.
 bool looks_z_up(const Scene& scene);
 
 }  // namespace si

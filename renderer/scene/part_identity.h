@@ -13,8 +13,8 @@ inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
     return mesh.material >= 0 ? scene.materials[std::size_t(mesh.material)] : kDefault;
 }
 
-/// Identity of a rigid mesh and its material at one time, to tell later whether it changed. Shares the mesh's arrays,
-/// so that their addresses are not reused.
+/// Identity of a rigid mesh and its material at one time, to test later whether they have changed. Shares the mesh's
+/// arrays, so that their addresses are not reused.
 class MeshIdentity {
 public:
     MeshIdentity() = default;
@@ -41,7 +41,7 @@ private:
     bool rigid_ = false;
 };
 
-/// Identity of a texture at one time, to tell later whether it changed. Shares the texture's pixels, so that their
+/// Identity of a texture at one time, to test later whether it has changed. Shares the texture's pixels, so that their
 /// address is not reused.
 class TextureIdentity {
     static auto how(const Texture& t) {

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    /// Cached value of one mesh, with the identity by which a changed mesh is recognised.
+    /// Cached value of one mesh, with the identity by which a change of the mesh is noticed.
     struct Known {
         MeshIdentity mesh;
         T known{};

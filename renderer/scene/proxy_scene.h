@@ -6,10 +6,10 @@
 
 namespace si {
 
-/// Returns a small proxy scene that needs the same shader programs as `scene`, for shader warm-up. It keeps one object
-/// of each kind (by material, vertex attributes and object settings) and the outermost objects, few of their triangles,
-/// and a few texels of each texture. Cameras and lights are those of `scene`, and its bounds are nearly kept. A small
-/// scene keeps all its triangles.
+/// Returns a small proxy scene that needs the same shader programs as `scene`, for compiling them early (shader
+/// warm-up). It keeps the outermost objects and one object of each kind (by material, vertex attributes and object
+/// settings). It keeps few of their triangles, and a few texels of each texture. Cameras and lights are those of
+/// `scene`, and its bounds are nearly kept. A small scene keeps all its triangles.
 Scene stand_in(const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -22,7 +22,7 @@ namespace si {
 /// Eight corners of a box, in any orientation.
 using Box = std::array<glm::dvec3, 8>;
 
-/// Axis-aligned rectangle; default: empty.
+/// Axis-aligned rectangle in 2D; empty by default.
 struct Bounds2 {
     glm::dvec2 lo{std::numeric_limits<double>::infinity()};
     glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
@@ -46,7 +46,7 @@ struct Bounds2 {
     Bounds2 intersection(const Bounds2& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
 };
 
-/// Axis-aligned bounding box; default: empty.
+/// Axis-aligned bounding box; empty by default.
 struct Bounds {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
@@ -67,10 +67,10 @@ struct Bounds {
         lo = glm::min(lo, b.lo);
         hi = glm::max(hi, b.hi);
     }
-    /// Returns the eight corners of the box, transformed by `m`. Corner i has the upper x, y, z where bit 0, 1, 2 of i
-    /// is set, else the lower.
+    /// Returns the eight corners of this bounding box, transformed by `m`. Bits 0, 1, 2 of a corner's index are set for
+    /// the upper x, y, z of the box.
     Box corners(const glm::dmat4& m = glm::dmat4(1.0)) const;
-    /// Returns the axis-aligned box around the eight corners transformed by `m`; empty for an empty box.
+    /// Returns the axis-aligned box around this box's eight corners, transformed by `m`; empty for an empty box.
     Bounds transformed(const glm::dmat4& m) const;
 };
 
@@ -134,8 +134,8 @@ void for_each_attribute(Work&& work) {
     work(&Mesh::colours);
 }
 
-/// Splits the vertices of a mesh, so that each triangle has its own three. Vertex i is then the copy of the vertex that
-/// index i named.
+/// Gives each triangle of a mesh three vertices of its own, for flat normals. The new vertex i is a copy of the vertex
+/// that the i-th index named.
 void split_vertices(Mesh& mesh);
 
 /// Node of the scene's transform hierarchy.
@@ -147,7 +147,7 @@ struct Node {
     glm::dmat4 world{1.0};  ///< set by finalise()
 };
 
-/// One instance of a mesh in the scene. Several objects may share node and mesh (primitives, instancing).
+/// Instance of a mesh, placed in the scene by a node. Several objects may share node and mesh (primitives, instancing).
 struct Object {
     int node = 0;
     int mesh = 0;
@@ -159,7 +159,7 @@ struct Object {
     Bounds animation_bounds;
 };
 
-/// Object that hide_objects() moved out of Scene::objects.
+/// Object that hide_objects() moved out of Scene::objects, with its position in the list.
 struct HiddenObject {
     std::size_t place = 0;  ///< index among all objects, shown and hidden
     Object object;
@@ -228,48 +228,53 @@ struct Scene {
     std::shared_ptr<const Rig> rig;     ///< animations; null: none
     TrackedMemory held;                 ///< bytes of nodes and objects, which copies do not share; set by finalise()
 
-    /// Returns the number of shown objects in the scene, without the ground disc.
+    /// Returns the number of visible (not hidden) objects in the scene, without the ground disc.
     std::size_t object_count() const;
-    /// Returns the number of triangles of all shown objects in the scene, instances counted, without the ground disc.
+    /// Returns the number of triangles of all visible (not hidden) objects in the scene. Counts each instance; leaves
+    /// out the ground disc.
     std::size_t triangle_count() const;
 };
 
-/// Validates and completes a scene after its lists were filled: the last step of every loader. Drops non-finite meshes
-/// and degenerate triangles (with warnings), computes missing normals, world transforms, unique node paths and bounds.
-/// @throws Error when an index, material, node or mesh reference is out of range.
+/// Validates and completes a scene whose lists a loader has filled: the last step of every loader. Drops non-finite
+/// meshes and degenerate triangles, with warnings. Computes missing normals, world transforms, unique node paths and
+/// bounds.
+/// @throws Error when an index, material, node or mesh reference is out of range
 void finalise(Scene& scene);
 
-/// Updates a scene after Node::local or vertices of deformed meshes changed: world transforms, bounds and id. Drops
-/// degenerate triangles of deformed meshes. Adds no warnings.
+/// Updates world transforms, bounds and id of a scene after Node::local or the vertices of deformed meshes have
+/// changed. Drops degenerate triangles of deformed meshes, without warnings.
 void refresh(Scene& scene);
 
-/// Hides the objects of the nodes with these paths and shows all others. Hidden objects are not drawn and cast no
-/// shadow, but still count in Scene::bounds, so that cameras that frame the scene do not move. Gives the scene a new id
-/// if anything changes.
+/// Hides the objects of the nodes with these paths, and shows all others. Hidden objects are not drawn and cast no
+/// shadow. They still count in Scene::bounds, so that cameras that frame the scene do not move. Gives the scene a new
+/// id if anything changes.
 void hide_objects(Scene& scene, const std::set<std::string>& paths);
 
-/// Returns the settings of an object; defaults where the settings do not name it.
+/// Returns the settings of an object (object.PATH.*), such as whether it casts and receives shadows; the defaults where
+/// `settings` do not name the object.
 const ObjectSettings& object_settings(const Scene& scene, const Settings& settings, const Object& object);
 
-/// Returns true when a transform keeps angles about as they are, so that normals and rays survive it in single
+/// Returns true when a transform nearly keeps angles, so that it is safe to transform normals and rays in single
 /// precision.
 bool is_well_conditioned(const glm::dmat3& m);
 
 /// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);
 
-/// Returns the objects of a scene without its ground and floors: thin, low objects nearly as wide as main_bounds().
-/// Returns all objects but the ground when nothing else remains.
+/// Returns the objects of a scene without its ground disc and floors, which are thin, low objects nearly as wide as
+/// main_bounds(). Includes hidden objects. Returns all objects but the ground disc when nothing else remains.
 std::vector<const Object*> objects_without_floor(const Scene& scene);
 
-/// Transforms a whole scene, with its cameras and lights, from the coordinates of its file by `placement`. It replaces
-/// the previous placement. Calls refresh(); suggested settings stay.
+/// Places a scene in the world: transforms its objects, cameras and lights from the coordinates of its file by
+/// `placement`, which replaces the previous placement. Calls refresh(). The suggested settings do not change.
 void place(Scene& scene, const glm::dmat4& placement);
 
-/// Returns the world-space bounds of a scene without what lies far from the rest; Scene::bounds where nothing does.
+/// Returns the world-space bounds of a scene without objects and vertices far from the rest (Scene::main_part).
+/// Scene::bounds where nothing lies far off.
 Bounds main_bounds(const Scene& scene);
 
-/// Returns the world-space bounds that light fits use: Scene::animation_bounds where known, else Scene::bounds.
+/// Returns the world-space bounds of a scene that light fits use: those over the whole animation
+/// (Scene::animation_bounds) where known, else Scene::bounds.
 Bounds light_fit_bounds(const Scene& scene);
 
 }  // namespace si

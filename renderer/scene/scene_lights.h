@@ -5,10 +5,10 @@
 
 namespace si {
 
-/// Puts Scene::lights into Scene::suggested as light.count and light.<i>.*, in place of what it held of lights; nothing
-/// when there are no lights. Places and directions are exact up to rounding. Brightness: the settings' own scale, on
-/// which the brightest directional light is 1, and spot and point lights keep their ratios (the fit scales them
-/// together). Uses Scene::bounds, so call it again after pose().
+/// Converts the lights of a scene's file to suggested settings, light.count and light.<i>.*, which replace the earlier
+/// suggestions for lights. Does nothing when the file has no lights.
+/// Positions and directions are exact up to rounding. Brightness is relative: the brightest directional light gets 1,
+/// and so does the brightest of the spot and point lights. Uses light_fit_bounds(), so call again after pose().
 void suggest_lights(Scene& scene);
 
 }  // namespace si

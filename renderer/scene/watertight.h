@@ -13,7 +13,7 @@ namespace si {
 /// of sines and cosines of a full turn.
 inline constexpr double kSeamToleranceShare = 1e-6;
 
-/// Result of a test for a watertight mesh, with the seams that have to be welded for drawing.
+/// Result of the test whether a mesh is watertight, with the pairs of vertices to weld for drawing.
 struct WatertightCheck {
     bool closed = false;
     /// Pairs (vertex, position's vertex): the first is drawn at the position of the second, which closes seams that
@@ -21,9 +21,9 @@ struct WatertightCheck {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
 };
 
-/// Tests whether a mesh is watertight. Each edge, identified by the positions of its ends, must have two triangles that
-/// run along it in opposite directions. Each connected part must enclose a positive volume and not intersect itself.
-/// Different parts may overlap. Returns not closed for meshes that would take too long to test.
+/// Tests whether a mesh is watertight. Each edge, identified by the positions of its ends, must belong to two triangles
+/// that run along it in opposite directions. Each connected part must enclose a positive volume and not intersect
+/// itself. Different parts may overlap. A mesh that would take too long to test counts as not closed.
 /// @param indices a triangle list, counter-clockwise from outside
 WatertightCheck check_watertight(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 

@@ -18,7 +18,8 @@ struct BuiltinScene {
 /// Returns the table of built-in scenes; the first row is the default scene.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// Returns true when `name` is a built-in scene or a hard case ("hard/grazing"), so that load_scene() reads no file.
+/// Returns true when `name` is the key of a built-in scene or the name of a hard case ("hard/grazing"). load_scene()
+/// then reads no file.
 bool is_builtin_scene(std::string_view name);
 
 /// Loads a scene: a built-in scene by key, a hard case by name, or a model file by path (importers()).

@@ -19,11 +19,14 @@ struct Pose {
 struct FigureMeshes {
     int pelvis, belly, chest, neck, head, joint, upper_arm, forearm, hand, thigh, shin, foot;
 };
-/// Adds the meshes of a wooden figure to a scene. @param wood,joints materials (indices) of limbs and of joints
+/// Adds the meshes of a wooden figure's parts to a scene, to be shared by all its figures. Call once before
+/// add_figure().
+/// @param wood, joints indices of the materials of limbs and of joints
 FigureMeshes add_figure_meshes(Scene& scene, int wood, int joints);
 
-/// Adds a wooden figure, 1.75 m tall, facing +z of `place`, its lowest point at the height of `place`. Returns the
-/// index of its topmost node. @param parent node; -1: none
+/// Adds a wooden figure, 1.75 m tall, to a scene. Returns the index of its topmost node.
+/// @param meshes from add_figure_meshes() @param parent index of the parent node; -1: none
+/// @param place transform of the figure: it faces +z, and its lowest point is at y = 0 @param pose joint angles
 int add_figure(Scene& scene, const FigureMeshes& meshes, std::string name, int parent, const glm::dmat4& place,
                const Pose& pose);
 

@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Returns every job that a child process of this program may run, for foreign_child_main().
+/// Returns the parsers of foreign file formats that this program may run in a child process. Every main() passes them
+/// to foreign_child_main().
 std::span<const ForeignJob> foreign_jobs();
 
 }  // namespace si

@@ -32,32 +32,35 @@ struct HardCase {
     std::string_view fixed;   ///< further settings of the fix
 };
 
-/// Returns all hard cases in order of their numbers, which have no gaps.
+/// Returns the table of hard cases (situations in which shadow maps break), in order of their numbers, which have no
+/// gaps.
 std::span<const HardCase> hard_cases();
 
 inline constexpr std::string_view kHardPrefix = "hard/", kFixedSuffix = "-fixed";
 
-/// Difficult case (docs/hard-cases.md) with or without its fix, as it is opened by name ("hard/grazing-fixed").
+/// Hard case (a situation in which shadow maps break) with or without its fix, as it is opened by name
+/// ("hard/grazing-fixed").
 struct HardCaseView {
     const HardCase* row = nullptr;
     bool fixed = false;
-    /// Returns the name that opens the case, as a scene or as a preset: "hard/" and its key, with "-fixed" for the
-    /// fixed view.
+    /// Returns the name that opens this hard case as a scene or as a preset: "hard/" and its key, with "-fixed" for the
+    /// view with the fix.
     std::string name() const;
-    /// Returns a description of the hard case for people: which of both views is shown, and the sentences of its row in
-    /// the table of hard cases.
+    /// Returns a description of this hard case for people: whether its fix is on, and the sentences of its row in the
+    /// table of hard cases.
     std::string about() const;
-    /// Returns the settings of the hard case, applied to the defaults. Cameras are the scene's own.
+    /// Returns the settings that show this hard case, with or without its fix. Other settings have their defaults;
+    /// cameras are the scene's own.
     Settings settings() const;
-    /// Makes the scene of this difficult case (docs/hard-cases.md), with the settings of its broken or its fixed view
-    /// as the scene's suggestions.
+    /// Makes the scene of this hard case (docs/hard-cases.md). Its suggested settings show the fault, or the fix.
     Scene scene() const;
 };
 
-/// Returns the hard case with this name ("hard/grazing-fixed"), or nothing.
+/// Finds a hard case by the name that opens it, such as "hard/grazing-fixed"; nullopt when there is none.
 std::optional<HardCaseView> find_hard_case(std::string_view name);
 
-/// Returns all hard cases that can be opened, by number: of each row the fault, if a setting shows it, then the fix.
+/// Returns all hard cases that can be opened, by number. Each row of the table gives the view without its fix, if a
+/// setting shows the fault, and then the view with the fix.
 std::span<const HardCaseView> hard_case_views();
 
 }  // namespace si

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Opaque material of one colour.
+/// Opaque material of one colour for built-in scenes: its name and linear colour.
 struct PlainMaterial {
     const char* name;
     glm::vec3 linear_colour;
@@ -21,9 +21,10 @@ inline constexpr PlainMaterial kBrass{"Brass", {0.58f, 0.40f, 0.13f}};
 /// Side of the paving's texture on the ground, metres: four slabs.
 inline constexpr float kPavingSide_m = 3.2f;
 
-/// Adds an opaque material of one colour to a scene. Returns its index.
+/// Adds an opaque material of one colour to a scene. Returns its index in Scene::materials.
 int add_material(Scene& scene, const PlainMaterial& material);
-/// Adds the material of limestone slabs to a scene, with its texture. Returns its index.
+/// Adds a material of limestone paving slabs to a scene, with its texture. Returns the material's index in
+/// Scene::materials.
 int add_paving(Scene& scene);
 
 }  // namespace si

@@ -9,15 +9,16 @@ inline constexpr double kTerrainSize_m = 2048;   ///< side of the square, centre
 inline constexpr double kWaterLevel_m = -9;      ///< of the lake
 inline constexpr double kVillageRadius_m = 150;  ///< level ground around the origin
 
-/// Returns the height of the terrain at (x, z) in metres above the village.
+/// Returns the height of the landscape scene's terrain at (x, z), in metres above the village.
 double terrain_height(double x, double z);
-/// Returns the slope of the terrain at (x, z) as rise over run.
+/// Returns the slope of the landscape scene's terrain at (x, z), as rise over run.
 double terrain_slope(double x, double z);
-/// Makes the terrain as a grid of `cells` by `cells`, with normals and linear vertex colours, without texture
-/// coordinates.
+/// Makes the terrain of the landscape scene as a grid of `cells` by `cells`, with normals and linear vertex colours,
+/// without texture coordinates.
 Mesh make_terrain(int cells);
 
-/// Returns smooth value noise in [-1, 1] with features about one unit wide.
+/// Returns smooth value noise in [-1, 1] at (x, z), with features about one unit wide, for procedural scenes. The same
+/// on every machine.
 double smooth_noise(double x, double z, std::uint32_t seed);
 
 }  // namespace si
