@@ -33,12 +33,13 @@ ENGINES = {
         "acne": [("bias", "bias.constant"), ("normalBias", "bias.normal")],
         "filters": {"PCF": {"kernel": {"filter": "PCF"},
                             "settings": {"filter.kernel": "castano5"}}},
-        "about": "Casters move inwards by `normalBias`, where the program moves the look-up: thin casters lose width, "
-                 "and rods of two texels vanish. Maps hold 32-bit floats (`new ShadowGenerator(size, light, true)`). The "
-                 "default 16-bit floats round depths to 2^-11 of the depth range, so acne begins at a larger number. The "
-                 "shaders read maps of the filters NONE, POISSON and ESM by a `sampler2D` without precision. A driver of "
-                 "OpenGL ES may then read 16 bits, with the same effect: Mesa does. These pictures are by Mesa's desktop "
-                 "OpenGL, which reads 32 bits.",
+        "about": "Babylon.js moves casters inwards by `normalBias`, where the program moves the look-up. So thin "
+                 "casters lose width, and rods of two texels vanish. The maps here hold 32-bit floats (`new "
+                 "ShadowGenerator(size, light, true)`). Babylon's default 16-bit floats round depths to 2^-11 of the"
+                 " depth range, so acne begins at a larger bias. The engine's shaders read maps of the filters NONE,"
+                 " POISSON and ESM by a `sampler2D` without precision. A driver of OpenGL ES, such as Mesa's, may "
+                 "then read 16 bits, with the same effect. These pictures are by Mesa's desktop OpenGL, which reads "
+                 "32 bits.",
         "fits": True,
     },
     "playcanvas": {

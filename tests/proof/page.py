@@ -13,7 +13,7 @@ HEAD = """# Proof in real engines
 This page compares shadows of real engines with those of the program, under the engine's [profile](profiles.md).
 `scripts/prove_engines.sh` draws, compares and writes it.
 
-Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. Its mask of light and shadow is compared with the mask that the program draws with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same box of the light.
+Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. The program draws them with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same box of the light. Both write a mask, a picture of light and shadow, and the two masks are compared.
 
 | criterion | bound |
 |---|---|
@@ -22,12 +22,13 @@ Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow
 | edges: distance between both edges on the map | at most {max_edge:g} texels, on at least {min_near:.1f} % of the pixels around edges |
 | acne begins: smallest number on a grid of 5 % at which fewer than 0.1 % of a plane's pixels are dark | within 10 % |
 
-A pixel of a plane is dark where its visibility is below {dark:g}. Pixels without a surface, and those with N·L below {min_n_dot_l:g}, are not compared. An edge that differs by one pixel counts as equal.
-Scenes have a constant of {constant:g} texels and a normal offset of {normal:g} texel before conversion. Masks with alpha are left out, so that leaves are whole rectangles.
+A pixel of a tilted plane is dark where its visibility is below {dark:g}. Pixels without a surface, and those with N·L (surface normal and light) below {min_n_dot_l:g}, are not compared. An edge that differs by one pixel counts as equal.
+Before conversion, scenes have a constant bias of {constant:g} texels and a normal offset of {normal:g} texel. Alpha masks of materials are left out, so that leaves are whole rectangles.
 """
 
-LEGEND = ("The engine, the program, and their difference: red where the engine alone is dark, blue where the program alone "
-          "is. Pale blue is not compared. In the third picture the zone around edges is darker than the interior.")
+LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. Red is dark in the engine "
+          "alone, and blue in the program alone. Pale blue is not compared. In the difference the zone around edges is "
+          "darker than the interior.")
 
 
 def percent(share, digits=2):
