@@ -19,10 +19,10 @@ constexpr std::string_view kPresetsIntro =
     "Each preset shows one artefact or one fix, from a camera that makes it obvious. "
     "`tests/hard_cases/guided_presets_test.cpp` measures what each sentence claims against the ray-traced reference.\n"
     "\n"
-    "- In the editor, open *Guided presets* in the top bar. PageDown and PageUp walk through them, and the sentence "
-    "stands above the picture.\n"
-    "- On the command line, `render SCENE --preset KEY -o OUT.png` draws one, and `preset diff KEY OTHER` prints what "
-    "differs between two.\n";
+    "- In the editor, open *Guided presets* in the top bar. The keys PageDown and PageUp walk through the presets. The "
+    "description of the shown preset stands above the picture.\n"
+    "- On the command line, `shadow-inspector render SCENE --preset KEY -o OUT.png` draws the preset `KEY`. The "
+    "command `shadow-inspector preset diff KEY OTHER` prints what differs between two presets.\n";
 
 constexpr std::string_view kHardCasesIntro =
     "# Hard cases\n"
@@ -32,18 +32,20 @@ constexpr std::string_view kHardCasesIntro =
     "\n"
     "A hard case is a corner in which shadow maps break. Each is a small scene and a preset of the same name.\n"
     "\n"
-    "- In the editor, open *Hard cases* in the top bar. PageDown and PageUp walk through them.\n"
-    "- On the command line, `render hard/NAME -o OUT.png` draws one. The name stands wherever a scene or a preset may "
-    "stand.\n"
-    "- Where a setting brings the fault back, `hard/NAME` shows the fault and `hard/NAME-fixed` the fix.\n"
+    "- In the editor, open *Hard cases* in the top bar. The keys PageDown and PageUp walk through the cases.\n"
+    "- On the command line, `shadow-inspector render hard/NAME -o OUT.png` draws the case `NAME`. Every command that "
+    "takes a scene or a preset also takes `hard/NAME`.\n"
+    "- Some cases have a setting that brings the fault back. For them `hard/NAME` shows the fault, and "
+    "`hard/NAME-fixed` shows the fix.\n"
     "\n"
     "The tests `HardCase<number>` compare each measure with its limit and show the fault without the fix. They write "
     "their values into [lab/stability.md](lab/stability.md).\n"
     "\n"
     "## Placements\n"
     "\n"
-    "The same tests draw, trace and classify each case in other places. Each placement is tested alone and in pairs. "
-    "The label `long` runs all combinations, some 800 a case. Cases whose maps an engine gives stay in their place.\n"
+    "The tests of the hard cases also draw, trace and classify each case at other placements: far from the origin, "
+    "scaled, mirrored and under other lights. Each placement is tested alone and in pairs. The test label `long` runs "
+    "all combinations, some 800 for each case. Cases with maps from an engine are not moved.\n"
     "\n"
     "| placement | range |\n"
     "|---|---|\n"
@@ -52,9 +54,10 @@ constexpr std::string_view kHardCasesIntro =
     "| mirrored | along one axis |\n"
     "| light | exactly along every axis |\n"
     "\n"
-    "Pictures, references and causes are the same bytes if the scale is a power of two and the shift is a whole number "
-    "of grid steps. A step is 32 times the scale for scenes of this size. This holds up to 9,000,000 scene radii, "
-    "where a double resolves a billionth of the radius.\n"
+    "A placement can leave the picture, the ray-traced reference and the causes of wrong pixels unchanged byte by "
+    "byte. The scale must be a power of two, and the shift a whole number of grid steps. For scenes of this size, a "
+    "grid step is 32 m times the scale. This holds up to a distance of 9,000,000 scene radii. Double precision "
+    "resolves a billionth of the radius there.\n"
     "\n"
     "| elsewhere | difference |\n"
     "|---|---|\n"
@@ -72,13 +75,13 @@ bool is_view_point(const SettingRef& ref) {
     return key.starts_with("camera.") || key == "view.frustum";
 }
 
-/// Formats the other settings that the preset changes: "`bias.normal` 0 texels, …".
+/// Formats the other settings that the preset changes: "`bias.normal` = 0 texels, …".
 std::string changes(const Preset& preset, const Settings& base) {
     std::string text;
     for (const SettingRef& ref : differing_settings(base, preset.settings)) {
         if (is_view_point(ref)) continue;
         const std::string value = shown_value(preset.settings, ref, get_value(preset.settings, ref));
-        text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", setting_key(ref), value);
+        text += fmt::format("{}`{}` = {}", text.empty() ? "" : ", ", setting_key(ref), value);
     }
     return text.empty() ? "nothing" : text;
 }
@@ -89,8 +92,8 @@ std::string presets_page() {
     std::string text(kPresetsIntro), topic;
     for (const BuiltinPreset& p : builtin_presets()) {
         if (p.topic != topic) text += fmt::format("\n## {}\n", topic = p.topic);
-        text += fmt::format("\n**{}** (`{}`, scene `{}`)  \n{}  \nSets {}.\n", p.title, p.key, p.scene, p.about,
-                            changes(load_preset(p.key), base_settings(load_scene(p.scene))));
+        text += fmt::format("\n**{}** (preset `{}`, scene `{}`)  \n{}  \nThe preset sets {}.\n", p.title, p.key,
+                            p.scene, p.about, changes(load_preset(p.key), base_settings(load_scene(p.scene))));
     }
     return text;
 }
@@ -98,7 +101,7 @@ std::string presets_page() {
 std::string hard_cases_page() {
     std::string text(kHardCasesIntro);
     for (const HardCase& c : hard_cases()) {
-        text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.fix);
+        text += fmt::format("\n## {}. {}\n\n{} Fix: {}\n\n", c.number, c.title, c.fault, c.fix);
         text += fmt::format(
             "| measured | at most | reason | without the fix |\n|---|---|---|---|\n"
             "| {} | {:.4g} ({}) | {} | {}: at least {:.4g} |\n\n",
@@ -107,8 +110,8 @@ std::string hard_cases_page() {
         for (const bool fixed : {false, true}) {
             const HardCaseView view{&c, fixed};
             if (!fixed && c.broken.empty()) continue;
-            text += fmt::format("`{}` sets {}.{}\n", view.name(), changes(load_preset(view.name()), Settings()),
-                                fixed ? "" : "  ");
+            text += fmt::format("The preset `{}` sets {}.{}\n", view.name(),
+                                changes(load_preset(view.name()), Settings()), fixed ? "" : "  ");
         }
     }
     return text;

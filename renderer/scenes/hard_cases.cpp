@@ -363,163 +363,190 @@ constexpr std::string_view kTwin =
 
 constexpr HardCase kCases[] = {
     {1, "grazing", "Grazing light",
-     "The flatter the light, the more depth one texel spans: a bias that suits steep light leaves stripes.",
-     "The bias each pixel's plane needs under this kernel and map, in closed form (bias.kind=adaptive).",
+     "The flatter the light meets a surface, the more depth one texel spans. A bias that suits steep light therefore "
+     "leaves stripes of acne.",
+     "Each pixel gets the bias that its plane needs under this kernel and map, by a closed form (bias.kind=adaptive).",
      "lit pixels of a plane darker than lit, at the predicted least bias, 0 to 89.5 degrees", 0, kPixels, kExact,
      "share of the plane that shadows itself without bias", 0.45, hard_floor_and_box,
      "map.resolution=512 light.elevation=6 light.fit=scene filter.kernel=hard", "bias.kind=constant bias.constant=1",
      "bias.kind=adaptive"},
     {2, "terminator", "Where light ends on a ball",
-     "Towards the terminator the slope of the surface, and with it the bias that it needs, grows without bound.",
-     "A normal offset is bounded at any angle, and faces turned away are dark without any look-up.",
+     "Towards the terminator, the slope of the surface against the light grows without bound, and so does the needed "
+     "bias.",
+     "A normal offset stays bounded at any angle. Faces turned away from the light are dark without a look-up in the "
+     "map.",
      "light lost on a ball, weighted by N·L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
      "the same without bias", 1.0 / 255, hard_sphere,
      "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.kind=constant", "bias.normal=0",
      "bias.normal=3"},
     {3, "depth-steps", "Steps of depth",
-     "Perspective depth spends its values near the light: 16 bits from 3 cm to 32 m step by 20 cm on the floor.",
-     "The format's own step is part of the least bias; 32-bit floats under reversed depth step by micrometres.",
+     "Perspective depth has its finest steps near the light. With 16 bits from 3 cm to 32 m, one step is 20 cm high "
+     "on the floor.",
+     "The step of the depth format is part of the least bias. With 32-bit floats and reversed depth, steps are "
+     "micrometres high.",
      "lit pixels of a plane darker than lit, at the predicted least bias, far/near 10 to 100,000", 0, kPixels, kExact,
      "share of the plane that shadows itself without bias, where steps are small", 0.3, hard_spot_floor,
      "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
      "light.near=0.032 light.far=32 bias.kind=constant bias.constant=2 filter.kernel=hard",
      "map.format=d16", "map.format=d32f map.reversed_z=true"},
     {4, "reversed-depth", "Reversed depth",
-     "A range of 1 to 100,000 leaves 32-bit floats coarse far from the light; reversed with one wrong sign, all is "
-     "dark.",
-     "Clear value, comparison, linearisation and bias sign all follow from the one convention of the projection.",
+     "With a far plane 100,000 times as far as the near plane, 32-bit floats are coarse far from the light. Reversed "
+     "depth with one wrong sign makes everything dark.",
+     "Clear value, depth comparison, linearisation and sign of the bias all follow from one convention of the "
+     "projection.",
      "pixels that differ from the picture of standard depth", 5e-4, kPixels, kTwin,
      "share of pixels in shadow, all of which a wrong sign would turn", 0.01, hard_spot_floor,
      "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
      "light.near=0.00032 light.far=32 bias.kind=constant bias.constant=0.5 filter.kernel=hard map.format=d32f",
      "map.reversed_z=false", "map.reversed_z=true"},
     {5, "polygon-offset", "Polygon offset",
-     "The depth shift of a glPolygonOffset unit differs by driver and format; that of its slope factor by driver.",
-     "Both are measured on the driver at start, and bias sums use the measured values.",
+     "The depth shift by one unit of glPolygonOffset depends on driver and format. The shift by its slope factor "
+     "depends on the driver.",
+     "The program measures both shifts on the driver at start. Its sums of biases use the measured values.",
      "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured values", 0, kPixels,
      kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
      "map.resolution=512 light.elevation=40 light.fit=scene bias.kind=constant filter.kernel=hard "
      "map.format=d24",
      "bias.raster_slope=0", "bias.raster_slope=2 bias.raster_units=2000"},
     {6, "light-above", "Light straight above",
-     "A basis by a cross product with \"up\" is 0/0 when the light comes exactly from there, and the shadow is gone.",
-     "Axes without a branch (Duff et al. 2017), sines and cosines exact at right angles.",
+     "Axes from a cross product of the light direction with \"up\" are 0/0 when the light comes exactly from above. "
+     "The shadow is then gone.",
+     "The axes are computed without a branch (Duff et al. 2017), from sines and cosines that are exact at right "
+     "angles.",
      "pixels that change as the light leaves the vertical by 0.0001 rad", 1e-3, kPixels,
      "0.0001 rad moves the shadow of a plate 1 m up by 0.1 mm: only pixels on its edge may change",
      "share of pixels in shadow", 0.01, hard_plate_above, "map.resolution=512 light.elevation=90 light.azimuth=90", "",
      ""},
     {7, "light-inside", "Light inside a body",
-     "A lamp within the geometry asks for a near plane at or behind itself: a projection that divides by 0.",
-     "The near plane stays a share of the far plane before the lamp, and casters that it cuts are counted and named.",
+     "A lamp within the geometry would need a near plane at or behind the lamp. The projection would then divide by "
+     "0.",
+     "The near plane stays in front of the lamp, at a share of the far plane's distance. Casters that this near plane "
+     "cuts off are counted and named.",
      "near planes that are not before their lamp", 0, "maps", "depth has no meaning otherwise",
      "casters that reach behind the near plane", 1, hard_floor_and_box,
      "map.resolution=256 light.type=point light.elevation=90 light.distance=0.25", "", ""},
     {8, "behind-spot", "Behind a spot light",
-     "Behind the lamp w is negative: divided by it, the map appears mirrored on objects there.",
-     "Points with w not above 0 are answered before the division.", "lit pixels behind the lamp that are darkened", 0,
-     kCount, "the lamp's map says nothing of them", "pixels that would read a nearer depth there without the guard", 50,
-     hard_wall,
+     "Behind a spot light the clip coordinate w is negative. After a division by w, the map appears mirrored on "
+     "objects there.",
+     "Points with w at or below 0 count as behind the light, which is decided before the division.",
+     "lit pixels behind the lamp that are darkened", 0, kCount, "the lamp's map says nothing of them",
+     "pixels that would read a nearer depth there without the guard", 50, hard_wall,
      "map.resolution=512 light.type=spot light.azimuth=0 light.elevation=2 light.cone=100 light.distance=1.5", "", ""},
     {9, "spot-angle", "Spot angles without sense",
-     "The tangent of half a cone of 0 or 180 degrees is 0 or, in single precision, minus 22 million.",
-     "Half angles are kept between 0.001 and 1.5 rad, wider cones are six faces, and clamping is reported.",
+     "The tangent of half the cone angle is 0 for a cone of 0 degrees. For 180 degrees it is minus 22 million in "
+     "single precision.",
+     "Half angles are limited to the range from 0.001 to 1.5 rad, and the limitation is reported. Wider cones are "
+     "drawn as six faces.",
      "tangent of a map's half angle, of the widest that is allowed", 1.05, "of tan 1.5", "5 % for the kernel's margin",
      "tangent of a right angle in single precision, its size", 1e7, hard_floor_and_box,
      "map.resolution=512 light.type=spot light.cone=179.8 light.distance=6", "", ""},
     {10, "far-away", "Far from the origin",
-     "At 1,000 km a float resolves 6 cm: absolute matrices shift shadows by tens of texels, and they shake as the "
-     "camera moves.",
-     "Transforms in double, relative to the camera and to the scene's centre before they are rounded.",
+     "At 1,000 km from the origin, single precision resolves 6 cm. Absolute matrices shift shadows by tens of texels, "
+     "and the shadows shake as the camera moves.",
+     "Transforms are computed in double precision, relative to the camera and to the scene's centre, and rounded only "
+     "afterwards.",
      "pixels that differ from the same scene at the origin", 5e-4, kPixels, kTwin,
      "texels that one absolute matrix in single precision is off there", 1, hard_far_away,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {11, "scale", "A scene of a few centimetres",
-     "A bias in metres that suits a room swallows the shadows of a model of 1/100 its size.",
-     "Bias, offset, fit and near planes count in texels or shares of the scene, none in metres.",
+     "A bias in metres that suits a room is far too large for a model of 1/100 its size. The model's shadows are "
+     "lost.",
+     "Bias, normal offset, fit and near plane are given in texels or in shares of the scene's size, never in metres.",
      "pixels that differ from the same scene at scale 1, from 1/1000 to 1,000,000", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a bias in metres", 0.01, hard_tiny,
      "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant", "bias.unit=metres bias.constant=0.05",
      "bias.unit=texels bias.constant=5"},
     {12, "snapping", "Edges that crawl",
-     "Maps fitted to the view frustum slide over the ground as the camera moves: hard edges shimmer.",
-     "A map around the sphere about its part of the view keeps its size, and moves by whole texels found in double.",
+     "Maps fitted to the view frustum slide over the ground as the camera moves, so hard shadow edges shimmer.",
+     "Each map covers the sphere around its part of the view frustum and keeps its size. It moves by whole texels, "
+     "computed in double precision.",
      "probes that change their texel, in 1000 steps of less than a texel and a full turn", 0, "probes",
      "snapped maps hold the same texels, wherever they are", "share of probes that do under a tight fit", 0.5,
      hard_field, "map.resolution=256 light.cascades=2 filter.kernel=hard view.frustum=false", "light.fit=view",
      "light.fit=stabilised"},
     {13, "degenerate", "Triangles without area",
-     "Points and lines among the triangles rasterise to depths beyond 0 and 1 on some drivers; a blur spreads them.",
-     "They are dropped as the scene is read, by their exact area, and counted.",
+     "Triangles that are only points or lines rasterise to depths outside 0 to 1 on some drivers. A blur spreads "
+     "these depths.",
+     "Triangles without area are found exactly as the scene is read. They are dropped and counted.",
      "pixels that differ from the mesh without them", 0, kCount, "triangles without area cast no shadow",
      "triangles whose normal would be 0/0", 4, hard_degenerate,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {14, "stretched", "Uneven scale",
-     "A normal that is transformed like a point tilts under an uneven scale, and the bias along it is wrong.",
-     "Normals by the cofactors of the matrix.", "angle between a face and the normal that the bias uses, at most", 0.1,
-     "degrees", "a tenth of a degree is a quarter of the bias that flat light needs",
+     "A normal that is transformed like a point tilts under an uneven scale. The bias that uses this normal is then "
+     "wrong.",
+     "Normals are transformed by the cofactors of the matrix.",
+     "angle between a face and the normal that the bias uses, at most", 0.1, "degrees",
+     "a tenth of a degree is a quarter of the bias that flat light needs",
      "degrees that a normal transformed like a point is off", 5, hard_stretched,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {15, "mirrored", "Mirrored",
-     "A node that mirrors turns every triangle's winding: culling takes the wrong side, and single planes lose their "
-     "shadow.",
+     "A node that mirrors reverses the winding of every triangle. Culling then removes the wrong side, and single "
+     "planes lose their shadow.",
      "The front face follows the sign of the matrix's determinant.",
      "pixels whose shadow differs from the mirrored picture of the straight scene, at one half", 5e-4, kPixels,
      "the mirrored light's map has other axes, so that edges meet its texels elsewhere",
      "share of pixels in which the two ways of culling differ", 0.02, hard_mirrored,
      "map.resolution=512 light.azimuth=-30 light.elevation=40 caster.cull=front", "", ""},
     {16, "flattened", "A scale of 0",
-     "A matrix of scale 0 has no inverse: normals become NaN, and on some engines the object before stays.",
-     "Cofactors, which need no division; a point casts nothing, a plate its shadow.",
+     "A matrix of scale 0 has no inverse, so normals become NaN. In some engines the object stays as it was before.",
+     "Normals use cofactors, which need no division. An object scaled to a point casts no shadow, and one scaled to a "
+     "plate casts the plate's shadow.",
      "pixels that an object of scale 0 changes", 0, kPixels, "a point has no area",
      "share of pixels that a box flattened to a plate changes", 1e-3, hard_flattened,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {17, "nothing-casts", "Nothing casts",
-     "Bounds of no casters are infinite the wrong way round: a mirrored map, drawn at full cost.",
-     "No map at all, all lit, and the plan says why.", "draws of the shadow pass where nothing casts or receives", 0,
-     "draws", "there is nothing to draw", "draws with casters", 1, hard_floor_and_box,
+     "Bounds of no casters are infinite and inverted. The map is then mirrored and drawn at full cost.",
+     "No map is drawn, everything is lit, and the plan gives the reason.",
+     "draws of the shadow pass where nothing casts or receives", 0, "draws", "there is nothing to draw",
+     "draws with casters", 1, hard_floor_and_box,
      "map.resolution=512 object.Case/Floor.cast=false object.Case/Box.cast=false object.Case/Ball.cast=false", "", ""},
     {18, "no-depth", "Hardly any depth",
-     "Straight above a plane near and far are equal: a division by 0 where the depth range is.",
-     "A range of at least two texels, and of 1024 steps of the numbers that hold it.",
+     "Under light straight above a single plane, the near and the far plane have equal depth. The projection then "
+     "divides by a depth range of 0.",
+     "The depth range spans at least two texels, and at least 1024 steps of the numbers that hold it.",
      "lit pixels of a plane darker than lit under a light straight above", 0, kCount, kExact,
      "depth scales, 1 / (far - near), that are infinite by the bounds alone", 1, hard_plate_on_floor,
      "map.resolution=2048 light.elevation=90 bias.kind=constant bias.unit=metres bias.constant=0.001 "
      "filter.kernel=hard",
      "", ""},
     {19, "bad-numbers", "Settings without sense",
-     "Near beyond far, NaN and infinities in sliders and files make matrices of NaN.",
-     "Every value is repaired before it is used, and the repair is said.",
+     "Sliders and files may contain a near plane beyond the far plane, NaN or infinities. Matrices made from these "
+     "values contain NaN.",
+     "Every value is repaired before it is used, and each repair is reported.",
      "bad settings that were taken without a word", 0, "settings", "a silent repair hides a mistake",
      "bad settings tried", 20, hard_floor_and_box,
      "map.resolution=512 light.azimuth=30 light.elevation=40 light.fit=manual light.near=20 light.far=2", "", ""},
     {20, "map-size", "A map of one texel",
-     "One texel holds one depth for the whole scene; a map beyond the driver's limit is no map at all.",
-     "Sizes are clamped to what the driver says, kernels wider than the map stay in it, and errors fall as texels "
-     "shrink.",
+     "A map of one texel holds one depth for the whole scene. A map beyond the driver's size limit cannot be drawn at "
+     "all.",
+     "Sizes are limited to what the driver supports, and kernels wider than the map stay inside it. Errors fall as "
+     "texels shrink.",
      "wrong pixels more than at a quarter of the map's side", 5e-4, kPixels,
      "a coarse map may be lucky where its texels fall", "share of pixels wrong at one texel", 0.02, hard_floor_and_box,
      "light.azimuth=30 light.elevation=40 filter.kernel=hard", "map.resolution=1", "map.resolution=1024"},
     {21, "thin-caster", "Thinner than a texel",
-     "A wire covers a texel's middle only here and there: its shadow is a row of dots, or none.",
-     "No setting but smaller texels; pixels wrong for that reason are named undersampled.",
+     "A wire thinner than a texel covers the centres of only a few texels. Its shadow is a row of dots, or is "
+     "missing.",
+     "Only smaller texels help. Pixels that are wrong for this reason are classified as undersampled.",
      "shadow that is missing beyond the share that a width of less than a texel predicts", 0.1, "of the wires' shadow",
      "wires of one direction meet the rows of texels at like places, so that counts are not independent",
      "share of the wires' shadow missing at a quarter of a texel", 0.5, hard_wires,
      "light.azimuth=30 light.elevation=60 light.fit=scene filter.kernel=hard", "map.resolution=256",
      "map.resolution=4096"},
     {22, "variance-cancels", "Variance below zero",
-     "Mean of squares less square of the mean cancels in single precision: a third of flat texels has a variance below "
-     "0.",
-     "Never less than a least variance, and no root of the raw difference.",
+     "Variance is the mean of squares minus the square of the mean, and this difference cancels in single precision. "
+     "A third of the texels of flat surfaces has a variance below 0.",
+     "Variance is never below a least variance, and no root is taken of the raw difference.",
      "pixels of a lit slope not lit, or not within 0 and 1", 0, kPixels, "a slope that nothing shades is lit",
      "share of the map's texels whose variance is below 0 as single precision has it", 0.1, hard_slope,
      "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=vsm filter.blur=2 "
      "filter.bleed=0 bias.kind=constant",
      "filter.min_variance=0", "filter.min_variance=1e-5"},
     {23, "exponents", "Exponents that overflow",
-     "Squares of exp(c) leave single precision beyond c = 44, half precision beyond 5.5, and a blur spreads what is "
-     "infinite.",
-     "Exponents are limited to the format's range, 43.7 and 5.2, and clamping is reported.",
+     "The square of exp(c) overflows single precision for c above 44 and half precision for c above 5.5. A blur "
+     "spreads the infinite values.",
+     "Exponents are limited to the range of the format: 43.66 in single precision (less with a blur) and 5.54 in half "
+     "precision. The limitation is reported.",
      "pixels not within 0 and 1, or lit ones below one half, at every exponent", 0, kCount,
      "nothing else is visibility", "formats in which the square of the largest exponential that can be set is infinite",
      2, hard_slope,
@@ -527,53 +554,57 @@ constexpr HardCase kCases[] = {
      "filter.exponent=88 filter.negative_exponent=88 bias.kind=constant bias.constant=0.1 bias.normal=4",
      "", ""},
     {24, "moment-steps", "Four moments in 16 bits",
-     "The depths that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
-     "floor turns grey.",
-     "A small share of fixed moments is mixed in: 0.0006 in 16 bits.", "lit pixels darker than lit, away from edges",
+     "On a plane, the depths that four moments represent lie close together. Rounding to 16 bits moves these depths "
+     "past each other, and the lit floor turns grey.",
+     "A small share of fixed moments is mixed in: 0.0006 with 16 bits.", "lit pixels darker than lit, away from edges",
      0.005, kPixels, "a fifth of the value without: where the roundings of neighbouring texels agree",
      "share of pixels darker than lit without that share", 0.025, hard_floor_and_box,
      "map.resolution=512 light.azimuth=30 light.elevation=40 filter.kernel=msm_hamburger filter.moment_format=16-bit "
      "filter.blur=2 filter.bleed=0 bias.kind=constant bias.constant=0.1 bias.normal=2",
      "filter.moment_bias=0", "filter.moment_bias=6e-4"},
     {25, "summed-areas", "Sums over the whole map",
-     "A table of sums in single precision forgets what one window adds: differences of large numbers, noise that grows "
-     "with the map.",
-     "Sums of integers, whose differences are exact however they overflow.",
+     "A summed-area table in single precision gives a window as the difference of large sums, which has few exact "
+     "digits. The resulting noise grows with the map.",
+     "The table holds sums of integers. Their differences are exact, even if the sums overflow.",
      "mean difference from a blur of the same width", 1e-4, "of visibility", "single steps of a 16-bit fraction",
      "the same of a table in single precision", 1e-3, hard_floor_and_box,
      "map.resolution=2048 light.azimuth=30 light.elevation=40 filter.kernel=savsm filter.window=3 filter.bleed=0 "
      "filter.min_variance=0 bias.kind=constant bias.constant=0.1 bias.normal=0.5",
      "filter.sums=float", "filter.sums=integer"},
     {26, "no-blockers", "A search that finds nothing",
-     "The mean depth of no occluders is 0/0; one at the receiver itself gives a penumbra of negative width.",
-     "No occluder: lit, before any division; widths are clamped at 0.",
+     "The mean depth of no blockers is 0/0. A blocker at the receiver itself gives a penumbra of negative width.",
+     "A receiver without blockers counts as lit before any division. Penumbra widths are clamped at 0.",
      "largest difference from 1 where nothing blocks, from 0 where all does", 0, "of visibility", "both are exact",
      "pixels whose search finds nothing, of which 0/0 is asked", 1000, hard_two_covers,
      "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
     {27, "edge-on-planes", "Planes seen edge-on",
-     "A plane's slope by screen derivatives divides by a determinant that is 0 edge-on, and what engines add for it, a "
-     "texel of that slope, is more than faces a pixel wide are deep: light comes through.",
-     "The plane of the triangle itself: a quotient without an inverse, nothing added, no look-up where it is edge-on.",
+     "For a plane seen edge-on, the slope from screen derivatives divides by a determinant of 0. Engines add one "
+     "texel of slope as bias, more than the depth of faces one pixel wide. Light then comes through.",
+     "The slope comes from the triangle's plane by a quotient without an inverse matrix. Nothing is added, and "
+     "edge-on planes need no look-up.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
      "pixels on the steps' own edges may show either face",
      "share of pixels that the slope by screen derivatives takes out of their shadow", 0.05, hard_stairs,
      "map.resolution=1024 light.azimuth=180 light.elevation=10 filter.kernel=pcf filter.size=5 bias.constant=0.5",
      "bias.kind=receiver-plane-derivatives", "bias.kind=receiver-plane"},
     {28, "split-ends", "Splits at their ends",
-     "Logarithmic splits from a near plane of 0 are log(0); equal planes leave a slice of nothing.",
-     "Near is at least a millionth of far, each slice has a least depth, and splits push their neighbours.",
+     "Logarithmic splits from a near plane at 0 need log(0). Equal near and far planes leave an empty slice.",
+     "The near plane is at least a millionth of the far plane's distance. Each slice has a least depth. An edited "
+     "split moves the splits that it passes.",
      "receivers in no cascade, and splits not beyond the one before", 0, "faults",
      "every surface that is seen must have a map", "splits that are no numbers by the bare formula", 1, hard_field,
      "map.resolution=256 light.cascades=4 light.split=logarithmic camera.near=0.0001 view.frustum=false", "", ""},
-    {29, "map-border", "Beyond the map", "Points outside the map read its outermost texels: streaks from its sides.",
-     "A border that counts as lit, or a test of the range, and a margin as wide as the kernel.",
+    {29, "map-border", "Beyond the map",
+     "Points outside the map read its outermost texels, so streaks extend from the sides of the map.",
+     "The border counts as lit, or the shader tests the coordinate range. A margin around the map is as wide as the "
+     "kernel.",
      "pixels beyond the map's reach that are not lit", 0, kCount, "the map says nothing of them",
      "the same where texels are clamped or repeated", 50, hard_bar,
      "map.resolution=128 light.azimuth=30 light.elevation=40 light.fit=manual light.extent=2", "map.wrap=clamp",
      "map.wrap=border"},
     {30, "cube-seams", "Between a lamp's faces",
-     "A kernel at the side of one of six faces reads what that face does not hold: lines on the floor where faces "
-     "meet.",
+     "A kernel at the side of one of a point light's six faces reads texels that this face does not hold. Lines "
+     "appear on the floor where faces meet.",
      "Each face is wider than a right angle by the kernel's reach.",
      "wrong pixels near a seam beyond those within the faces", 5e-4, kPixels, kTwin,
      "pixels whose kernel crosses the side of a face of exactly a right angle", 200, hard_lamp,
@@ -589,41 +620,46 @@ constexpr HardCase kCases[] = {
      "map.resolution=512 light.azimuth=30 light.elevation=80 light.fit=view filter.kernel=hard",
      "light.near_far=manual light.near=36 light.far=64", "light.near_far=pancaking"},
     {32, "alpha", "Holes of alpha",
-     "A mask that the shadow pass ignores casts a whole sheet; a blended material casts nothing at all.",
-     "Masked casters are drawn with their holes; blended ones as masks where caster.blend says so.",
+     "If the shadow pass ignores an alpha mask, the whole sheet casts a shadow. A blended material casts no shadow at "
+     "all.",
+     "Masked casters are drawn with their holes. Blended casters are drawn as masks if caster.blend says so.",
      "wrong pixels inside shadow or light, against rays that know the mask", 0, kPixels, "the same holes",
      "share of pixels that differ where the mask is ignored", 0.01, hard_blended_sheet,
      "map.resolution=1024 light.azimuth=30 light.elevation=60 filter.kernel=hard", "caster.blend=none",
      "caster.blend=mask"},
     {33, "not-finite", "Vertices that are no numbers",
-     "One NaN or infinity in a file makes bounds infinite, and with them every map.",
-     "A mesh with such vertices is left out, and named.", "pixels that differ from the scene without that mesh", 0,
+     "One NaN or infinity among the vertices of a file makes the scene's bounds infinite, and with them every map.",
+     "A mesh with such vertices is left out and named.", "pixels that differ from the scene without that mesh", 0,
      kCount, "the rest does not change", "meshes that are left out", 1, hard_not_finite,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {34, "large-indices", "More than 65,536 vertices",
-     "16-bit indices wrap, and 65,535 reads as primitive restart: triangles that span the scene, or holes.",
-     "32-bit indices, and no primitive restart.", "pixels that differ from the same plate of two triangles", 5e-4,
-     kPixels, kTwin, "share of pixels that differ where indices are cut to 16 bits", 5e-3, hard_many_vertices,
+     "16-bit indices wrap around, and index 65,535 acts as primitive restart. Triangles then span the scene, or the "
+     "mesh has holes.",
+     "The program uses 32-bit indices without primitive restart.",
+     "pixels that differ from the same plate of two triangles", 5e-4, kPixels, kTwin,
+     "share of pixels that differ where indices are cut to 16 bits", 5e-3, hard_many_vertices,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {35, "smooth-terminator", "A ball of few facets",
-     "Smooth normals light what the facets shadow: dark facets with hard sides that look like acne. Bias against them "
-     "leaves them, and loses true shadows.",
-     "No bias for facets turned from the light: they count as shadow terminator, in no sum.",
+     "Some facets face away from the light where their smooth normals face it. These facets are dark with hard sides "
+     "and look like acne. A bias does not remove them, and loses true shadows.",
+     "Facets turned away from the light get no bias. Their pixels count as shadow terminator, which no sum of errors "
+     "includes.",
      "such pixels that the overlay or the reference miss, or that count as wrong", 0, kCount,
      "the sign of two cosines decides", "shadow-terminator pixels that are as dark under a bias against them", 20,
      hard_low_polygon, "map.resolution=1024 light.azimuth=-40 light.elevation=20",
      "bias.kind=constant bias.normal=0 bias.constant=800", "bias.kind=adaptive"},
     {36, "truth", "Sanity of the reference",
-     "A ray that starts on a surface may hit that surface: a reference in which convex bodies shadow themselves is "
-     "wrong everywhere.",
-     "Rays start off their surface by the resolution of its coordinates, in a scene that is centred and scaled first.",
+     "A ray that starts on a surface may hit that same surface. A reference in which convex bodies shadow themselves "
+     "is wrong everywhere.",
+     "Rays start off their surface by the resolution of its coordinates. The scene is centred and scaled before.",
      "pixels of convex bodies that are turned to the light and shadowed by themselves", 0, kCount,
      "a convex body cannot shadow itself",
      "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
      "light.azimuth=30 light.elevation=40 light.source=traced", "", ""},
     {37, "bent-ground", "Bent ground in grazing light",
-     "The next strip of bent ground rises above the receiver's plane within the kernel: dark bands in grazing light.",
-     "A remainder that grows with a texel's distance lowers the plane towards the light.",
+     "On bent ground the next strip rises above the receiver's plane within the kernel. Dark bands appear in grazing "
+     "light.",
+     "A remainder that grows with a texel's distance from the look-up shifts the plane towards the light.",
      "lit pixels of bent ground darker than lit, with 16 reversed bits, 100 km off", 0.01, kPixels,
      "strips do not shadow each other; the foot of the box's lit sides is an inner corner",
      "share of them that the plane alone darkens", 0.05, hard_bent_ground,
@@ -631,58 +667,59 @@ constexpr HardCase kCases[] = {
      "filter.kernel=pcf filter.size=5 bias.normal=0 bias.constant=0",
      "bias.kind=receiver-plane", "bias.kind=receiver-plane-remainder"},
     {38, "light-bleeding", "Light through a cover",
-     "Mean and variance bound the lit share from above: where a blur spans casters at two depths, the floor below both "
-     "is lit.",
-     "Warped depths (EVSM), in which far casters hardly count; four moments, less blur or light-bleed reduction.",
+     "Mean and variance give an upper bound of the lit share. Where a blur spans casters at two depths, the floor "
+     "below both is lit.",
+     "Warped depths (EVSM) give far casters hardly any weight. Four moments, less blur or light-bleed reduction also "
+     "help.",
      "share of pixels wrong by light bleeding", 1e-3, kPixels,
      "warped by e^(40 x), the bars are nothing beside the cover; a few pixels lie at the cover's own sides",
      "the same under depths that are not warped", 0.1, hard_bars_over_cover,
      "map.resolution=256 light.elevation=90 filter.blur=6 filter.bleed=0", "filter.kernel=vsm", "filter.kernel=evsm4"},
     {39, "quantised", "Quantised positions",
-     "Positions in 8 bits make terraces of a gentle hill: a bias that suits its stored normals is too small for facets "
+     "Positions in 8 bits turn a gentle hill into terraces. A bias from the stored normals is too small for facets "
      "that the light meets at a flatter angle.",
-     "The bias follows the triangle's own plane and its neighbours (receiver plane and remainder). 14 bits make steps "
-     "64 "
-     "times less high.",
+     "The bias follows the triangle's own plane and its neighbours (receiver plane and remainder). Positions in 14 "
+     "bits make the terraces 64 times lower.",
      "share of pixels with acne", 2e-4, kPixels, "facets meet in inner corners within a pixel",
      "share of pixels with acne under a bias by stored normals, beyond that of the exact hill", 5e-4, hard_quantised,
      "map.resolution=1024 light.azimuth=30 light.elevation=20 light.fit=scene filter.kernel=hard bias.normal=0",
      "bias.kind=slope bias.slope=3 bias.constant=0.5", "bias.kind=receiver-plane-remainder"},
     {40, "stray-vertex", "One vertex far off",
-     "One forgotten vertex 1,000 km off makes a map of the whole scene as wide: each texel covers 2 km, and no shadow "
-     "is left.",
-     "A fit to the view frustum (light.fit=view); numbers are relative to the scene's main part, and the file's note "
-     "names the object.",
+     "One forgotten vertex 1,000 km away makes a map of the whole scene as wide. Each texel covers 2 km, and no "
+     "shadow is left.",
+     "The map is fitted to the view frustum (light.fit=view). Numbers are relative to the scene's main part, and a "
+     "note about the file names the object.",
      "pixels that differ from the same scene without that vertex", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a fit to the whole scene", 0.01, hard_stray_vertex,
      "map.resolution=512 light.azimuth=90 light.elevation=30", "light.fit=scene", "light.fit=view"},
     {41, "units", "Kilometres read as metres",
-     "Read in a wrong unit, a model is 1000 times as small or as large: a bias in metres swallows every shadow, or is "
-     "lost in one texel.",
-     "A bias in texels, which grow with the scene.",
+     "A model read in a wrong unit is 1000 times too small or too large. A bias in metres then removes every shadow, "
+     "or is negligible within one texel.",
+     "The bias is given in texels, which grow with the scene.",
      "pixels that differ from the same scene in metres, in units of 1/1024 and of 1024", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a bias in metres", 0.01, hard_kilometres,
      "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant", "bias.unit=metres bias.constant=0.05",
      "bias.unit=texels bias.constant=5"},
     {42, "given-strip", "A map of 1:4 sides",
-     "An engine's map has 128 by 512 texels over a square: a bias that suits the short side of a texel leaves stripes "
-     "along the long one.",
-     "The bias that each pixel's plane needs, by both sides of the texel it reads (bias.kind=adaptive).",
+     "An engine's map has 128 by 512 texels over a square region. A bias that suits the short side of a texel leaves "
+     "stripes along the long side.",
+     "Each pixel gets the bias that its plane needs, computed from both sides of the texel (bias.kind=adaptive).",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under the least bias of square texels of the short side", 0.1, hard_given,
      "map.bundle_bias=entered map.bundle=builtin:strip light.azimuth=30 light.elevation=40 filter.kernel=hard",
      "bias.kind=constant bias.unit=metres bias.constant=0.014", "bias.kind=adaptive"},
     {43, "given-warped", "A map whose w is not constant",
-     "An engine's sun has a perspective matrix (LiSPSM): a texel is 16 times as long at one end as at the other, and "
-     "no bias in metres suits both.",
-     "Size of texels and range of depth by row, as the matrix has them (bias.kind=adaptive).",
+     "An engine's directional light has a perspective matrix (LiSPSM). A texel is 16 times as long at one end of the "
+     "map as at the other, so no bias in metres suits both ends.",
+     "Texel size and depth range are computed from the matrix for each row of the map (bias.kind=adaptive).",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under a bias that suits the middle row", 0.1, hard_given,
      "map.bundle_bias=entered map.bundle=builtin:warped light.azimuth=30 light.elevation=40 filter.kernel=hard",
      "bias.kind=constant bias.unit=metres bias.constant=0.028", "bias.kind=adaptive"},
     {44, "given-reversed", "A matrix from before depth was reversed",
-     "An engine reverses depth on its way to the GPU, and its bundle states the matrix from before: all is dark.",
-     "The matrix that the caster pass uses, and depth.reversed beside it.",
+     "An engine reverses depth on the way to the GPU, but its bundle states the matrix from before that step. "
+     "Everything is dark.",
+     "The bundle states the matrix that the caster pass uses, with depth.reversed beside it.",
      "wrong pixels inside shadow or light, under an imported map of reversed depth", 5e-4, kPixels,
      "texels' middles decide at edges, on at most 1 pixel in 2000", "share of pixels that are wrongly dark", 0.5,
      hard_given,
@@ -690,45 +727,48 @@ constexpr HardCase kCases[] = {
      "filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:reversed-unstated map.reversed_z=false", "map.bundle=builtin:reversed map.reversed_z=true"},
     {45, "given-16-bits", "16 bits read as floats",
-     "An engine's map has 16 bits, and its bundle says floats: the bias lacks a step of depth, which is 3 cm on the "
-     "floor.",
-     "The format of the engine's map (depth.format, map.format), whose step is part of the least bias.",
+     "An engine's map has 16 bits, but its bundle states 32-bit floats. The bias then lacks one step of depth, which "
+     "is 3 cm on the floor.",
+     "The true format of the engine's map is set (depth.format, map.format). Its step of depth is part of the least "
+     "bias.",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under the least bias of floats", 0.1, hard_given,
      "map.bundle_bias=entered map.bundle=builtin:16-bits light.type=spot light.azimuth=30 light.elevation=70 "
      "light.distance=12 light.cone=60 bias.kind=adaptive filter.kernel=hard",
      "map.format=d32f", "map.format=d16"},
     {46, "given-far-away", "An engine's matrix far from the origin",
-     "At 6,000 km an engine's absolute matrix, in single precision, shifts its shadows by several texels.",
-     "The matrix relative to the engine's camera, and the camera's place in double (world.origin).",
+     "At 6,000 km from the origin, an engine's absolute matrix in single precision shifts its shadows by several "
+     "texels.",
+     "The bundle states the matrix relative to the engine's camera, and the camera's position in double precision "
+     "(world.origin).",
      "wrong pixels inside shadow or light", 5e-4, kPixels,
      "texels' middles decide at edges, on at most 1 pixel in 2000", "the same under the absolute matrix", 0.002,
      hard_given_far_away,
      "light.azimuth=30 light.elevation=40 bias.kind=adaptive filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:absolute", "map.bundle=builtin:relative-to-camera"},
     {47, "engine-angle", "An engine's number in grazing light",
-     "A constant bias that an engine got for ground at 45 degrees to the light covers it with stripes where the light "
-     "grazes it.",
-     "The number converted for the angle of the ground, or a polygon offset by slope, which grows with the angle.",
+     "An engine's constant bias was chosen for ground at 45 degrees to the light. Where the light grazes the ground, "
+     "this bias leaves stripes of acne.",
+     "The bias is converted for the angle of the ground. A polygon offset by slope helps too, since it grows with the "
+     "angle.",
      "lit pixels of a plane at 89 degrees darker than lit, under each engine's converted number", 0, kPixels, kExact,
      "the same under the number for 45 degrees", 0.3, hard_floor_and_box,
      "map.resolution=512 map.format=d24 light.elevation=6 light.fit=scene filter.kernel=hard bias.kind=constant "
      "bias.normal=0",
      "bias.constant=1", "bias.constant=7"},
     {48, "engine-depth-range", "An engine's number after the map was fitted again",
-     "Some engines count bias in shares of the map's depth range: fitted to a tenth of the range, the same number is a "
-     "tenth of the bias.",
-     "The number converted again for the present depth range, or a bias in texels.",
+     "Some engines give the bias as a share of the map's depth range. After a fit to a tenth of that range, the same "
+     "number is a tenth of the bias.",
+     "The number is converted again for the present depth range, or the bias is given in texels.",
      "lit pixels of a plane darker than lit, under each engine's number for the present range", 0, kPixels, kExact,
      "the same under the number for ten times the range", 0.2, hard_floor_and_box,
      "map.resolution=512 map.format=d24 light.azimuth=30 light.elevation=40 filter.kernel=hard bias.kind=constant "
      "bias.normal=0",
      "bias.unit=depth bias.constant=0.0002", "bias.unit=texels bias.constant=1.2"},
     {49, "engine-cascades", "Cascades that share one map",
-     "Some engines give each of several cascades half of the stated width: a bias in metres for texels of the whole "
-     "map "
-     "is half of what they need.",
-     "The number converted for the texels that each cascade has.",
+     "Some engines give each of several cascades half of the map's stated width. A bias in metres for texels of the "
+     "whole map is half of what these cascades need.",
+     "The number is converted for the texel size of each cascade.",
      "lit pixels of a plane darker than lit, under each engine's number for half of the map", 0, kPixels, kExact,
      "the same under the number for the whole map", 0.05, hard_field,
      "map.resolution=512 light.azimuth=30 light.elevation=40 light.cascades=2 light.fit=view filter.kernel=hard "
