@@ -20,32 +20,35 @@ constexpr std::string_view kSettingsIntro =
     "Printed by `shadow-inspector docs settings -o docs/settings.md` from the table of settings. Do not edit it by "
     "hand.\n"
     "\n"
-    "Every setting has a control in the editor, can be given as `--set KEY=VALUE`, and is saved in a preset. `light.X` "
-    "means `light.0.X`, and lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, "
-    "such as `object.Root/Fence.cull`.\n";
+    "Every setting has a control in the editor. On the command line a setting is given as `--set KEY=VALUE`, and a "
+    "preset saves it. The key `light.X` means `light.0.X`, and lights 0 to 15 have the same settings. The key "
+    "`object.PATH.X` belongs to the object at the node path `PATH`, such as `object.Root/Fence.cull`.\n";
 
 std::string allowed(const SettingRef& ref) {
     const Param& p = *ref.param;
     if (p.choices) {
         std::vector<std::string> keys;
         for (const Choice& c : p.choices()) keys.push_back(fmt::format("`{}`", c.key));
-        return fmt::format("{}", fmt::join(keys, " "));
+        return fmt::format("{}", fmt::join(keys, ", "));
     }
-    if (setting_type(ref) == "bool") return "`true` `false`";
+    if (setting_type(ref) == "bool") return "`true`, `false`";
     if (setting_type(ref) == "text") return fmt::format("a text of at most {} bytes", p.max);
     return fmt::format("{} to {}{}{}", value_text(p, p.min), value_text(p, p.max), p.unit.empty() ? "" : " ", p.unit);
 }
 
 std::string setting_section(const Param& p) {
-    static const std::map<Cost, std::string_view> kCosts = {{Cost::Uniform, ""},
-                                                            {Cost::Program, " A change compiles shaders."},
-                                                            {Cost::Target, " A change allocates the maps again."}};
+    static const std::map<Cost, std::string_view> kCosts = {
+        {Cost::Uniform, ""},
+        {Cost::Program, " A change of the value compiles shaders."},
+        {Cost::Target, " A change of the value allocates the maps again."}};
     const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
     const std::string preset = value_text(p, default_value(ref));
-    std::string text =
-        fmt::format("\n### {}\n\n{}. Allowed: {}. Default: {}.{}\n\n{}\n", setting_key(ref), p.label, allowed(ref),
-                    preset.empty() ? "none" : "`" + preset + "`", kCosts.at(p.cost), p.help);
-    if (!p.also.empty()) text += fmt::format("\nElsewhere: {}.\n", p.also);
+    std::string text = fmt::format(
+        "\n### {0}\n\nLabel in the editor: {1}. Allowed values: {2}. Default value: {3}.{4}\n\n`{0}`: {5}\n",
+        setting_key(ref), p.label, allowed(ref), preset.empty() ? "none" : "`" + preset + "`", kCosts.at(p.cost),
+        p.help);
+    if (!p.also.empty())
+        text += fmt::format("\nNames for `{}` in engines and other programs: {}.\n", setting_key(ref), p.also);
     if (!p.choices) return text;
     text += "\n| choice | name | meaning |\n|---|---|---|\n";
     for (const Choice& c : p.choices())
@@ -58,12 +61,13 @@ constexpr std::string_view kMetricsIntro =
     "\n"
     "Printed by `shadow-inspector docs metrics -o docs/metrics.md` from the table of metrics. Do not edit it by hand.\n"
     "\n"
-    "Each metric says how wrong the shadows of a picture are. The same numbers are fields of `error` in `measure "
-    "--json`, columns `error.…` of a sweep and rows of the tab *Error*. `tune --error` can bound each of them.\n"
+    "Each metric is a number that says how wrong the shadows of a picture are. `shadow-inspector measure --json` "
+    "prints the metrics as fields of `error`. A sweep has them as columns `error.…`, and the editor as rows of the tab "
+    "*Error*. The option `--error` of `tune` names the metric that `--max-error` limits.\n"
     "\n"
-    "In the formulas V is the visibility that the map gives, R that of the ray-traced reference, and n the number of "
-    "counted pixels. [accuracy.md](accuracy.md#errors) defines a *wrong* pixel and its causes. Fractions are of n, and "
-    "0 if n is 0.\n"
+    "In the formulas, V is the visibility of a pixel by the shadow map, R is the visibility by the ray-traced "
+    "reference, and n is the number of counted pixels. [accuracy.md](accuracy.md#errors) defines a *wrong* pixel and "
+    "its causes. A share of pixels is relative to n, and 0 if n is 0.\n"
     "\n"
     "| key | name | unit | formula | reads as | part of | source |\n"
     "|---|---|---|---|---|---|---|\n";

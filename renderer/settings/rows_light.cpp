@@ -202,9 +202,10 @@ constexpr auto kLight = with_scope(
              "penumbra, area light, angular distance, light radius, shadow soft size, shadowBulbRadius, penumbraScale"},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
-         .help = "Distance at which the light has faded to 0; 0 is unlimited. Within it the light falls with the "
-                 "square of the distance, times max(min(1 - (distance / range)^4, 1), 0), as glTF has it. The fitted "
-                 "map ends there too.",
+         .help =
+             "Distance at which the light has faded to 0; 0 is unlimited. Within the range, the light falls with the "
+             "square of the distance. It is also multiplied by max(min(1 - (distance / range)^4, 1), 0), as in glTF. "
+             "The fitted map ends at the range too.",
          .also = "attenuation radius, falloff distance, decay"},
         {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 360,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
@@ -216,8 +217,10 @@ constexpr auto kLight = with_scope(
          .help = "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on.",
          .also = "inner cone angle, spot blend, penumbra"},
         {SI_LIGHT_FIELD(intensity), .label = "Intensity", .min = 0, .max = 1e6, .logarithmic = true,
-         .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
-                 "together so that the brightest of them is 1 at the scene's centre, without regard to their ranges.",
+         .help =
+             "Brightness relative to the other lights. The brightness of a directional light is used as given. Spot "
+             "and point lights are scaled together so that the brightest of them is 1 at the scene's centre, without "
+             "regard to their ranges.",
          .also = "energy, strength, brightness, power"},
         {SI_LIGHT_FIELD(red), .label = "Red", .min = 0, .max = 1, .help = "Colour, linear red.", .also = "light color"},
         {SI_LIGHT_FIELD(green), .label = "Green", .min = 0, .max = 1, .help = "Colour, linear green.",
@@ -229,9 +232,10 @@ constexpr auto kLight = with_scope(
          .also = "castShadow, castShadows, shadow enabled, enable shadows, no shadows"},
         {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
-         .help = "Length of the ray that is marched from each surface towards the light through the camera's depth "
-                 "buffer; a surface on the way shadows it, whatever light.source says. Brings back the small shadows "
-                 "that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
+         .help =
+             "Length of the ray that is marched from each surface towards the light through the camera's depth "
+             "buffer. A surface that blocks the ray shadows its start, whatever light.source says. Contact shadows "
+             "restore the small shadows that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
         {SI_LIGHT_FIELD(source), .label = "Source", .choices = choices_of<sources>,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
@@ -269,9 +273,10 @@ constexpr auto kLight = with_scope(
                  "shadowFar, shadowFarHint, clipping planes"},
         {SI_LIGHT_FIELD(stretch), .label = "Range factor", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
-         .help = "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
-                 "around its middle. Under spot and point lights near is divided by the factor and far multiplied. "
-                 "Steps of stored depth grow with it. 1 changes nothing."},
+         .help =
+             "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
+             "around its middle. Under spot and point lights, near is divided by the factor, and far is multiplied by "
+             "it. Steps of stored depth grow with the range. A factor of 1 changes nothing."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
          .help = "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is "

@@ -154,10 +154,10 @@ constexpr std::string_view kNoOffset =
 constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help =
-         "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground and "
-         "takes four times the memory. Clamped to what the driver can allocate. While casters move and the light's map "
-         "stays, cached static casters take as much again. Under map.virtual only pages that are read take memory.",
+     .help = "Width and height of each shadow map image, in texels. Twice the resolution halves the size of a texel "
+             "on the ground and takes four times the memory. A size beyond what the driver can allocate is clamped. "
+             "While casters move and the light's map does not, cached static casters take the same memory again. With "
+             "map.virtual, only pages that are read take memory.",
      .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
              "shadow.mapSize",
      .shader = true, .read_by = ReadBy::Maps},
@@ -177,31 +177,31 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
              "farther away than anything stored, and turn dark.",
      .also = "far plane, beyond far, shadow distance", .shader = true},
     {SI_FIELD(map.face_guard), .label = "Guard of faces", .idle = face_guard_idle,
-     .help =
-         "Draws each of the six faces of a point light's map wider than its quarter turn, by the texels that "
-         "look-ups reach: at least 6. Off: a look-up near a face's rim leaves the face, map.wrap answers, and seams "
-         "show. A wide spot light has such faces too.",
+     .help = "Draws each of the six faces of a point light's map wider than 90 degrees, by the texels that look-ups "
+             "reach: at least 6. Off: a look-up near a face's side leaves the face, its result follows map.wrap, and "
+             "seams show. A spot light wider than 171 degrees also has six faces.",
      .also = "cube map seams, seamless, face border, guard band"},
     {SI_FIELD(map.compare), .label = "Depth test", .cost = Cost::Program, SI_CHOICES(kCompares), .idle = compare_idle,
-     .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
-             "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
+     .help = "Comparison of the fragment's depth with the stored depth: less, or less or equal (greater, or greater "
+             "or equal, under reversed depth). The two choices differ where both depths are equal, as on surfaces "
+             "that cast onto themselves without bias.",
      .also = "depth func, compare function, comparison", .shader = true},
     {SI_FIELD(map.reversed_z), .label = "Reversed depth", .cost = Cost::Program,
      .help = "The near plane maps to depth 1 and the far plane to 0. With d32f the fine steps of floating point near 0 "
              "then offset the perspective's coarse steps far away.",
      .also = "reverse z, reversed z, inverted depth buffer", .shader = true},
     {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
-     .help =
-         "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
-         "The comparison then meets false slopes between caster and receiver. Shadows grow and lose their corners, "
-         "thin ones vanish, and every edge stays hard. Filter the comparisons instead (filter.kernel). 0 is off.",
+     .help = "Wrong on purpose: each stored depth becomes the mean of the depths up to this many texels away, along x "
+             "and y. The comparison then uses false slopes between caster and receiver. Shadows grow and lose their "
+             "corners, thin shadows vanish, and every edge stays hard. To soften edges, filter the comparisons "
+             "instead (filter.kernel). 0 is off.",
      .read_by = ReadBy::DepthBlur},
     {SI_FIELD(map.samples), .label = "Samples", .unit = "a texel", .min = 1, .max = 32, .logarithmic = true,
      .cost = Cost::Target,
      SI_IDLE(s.map.blur_texels > 0, "without effect: moments come from the depths that map.blur_texels blurs"),
-     .help = "Draws the casters with several samples a texel (MSAA), and averages the moments of all: an edge that "
-             "crosses a texel covers a share of it. A number that the driver does not support is reported, and the "
-             "next lower supported one is used.",
+     .help = "Number of samples for each texel while casters are drawn (MSAA). Moments are the mean over all samples, "
+             "so a caster's edge covers a share of a texel. If the driver does not support a number, that is "
+             "reported, and the next lower supported number is used.",
      .also = "MSAA, multisampling, antialiasing, msaaSamples", .read_by = ReadBy::Moments},
     {SI_FIELD(map.transform), .label = "Texture matrix", .cost = Cost::Program, SI_CHOICES(kTransforms),
      .help = "The computation of a surface's place in the map. Both ways agree in exact numbers. The overlay "
@@ -217,8 +217,9 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .idle = paging_idle_reason,
      .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "
              "light moves. A directional light has clip levels around the camera, each twice as wide as the one "
-             "before, so that a texel is about a pixel everywhere. Other lights' maps, and those of light.fit manual, "
-             "keep their region and are drawn by pages (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
+             "before. A texel then covers about a pixel everywhere. Maps of other lights, and maps of light.fit "
+             "manual, keep their region and are drawn by pages. The method is that of Sakmary, Ryan, Hall and Lustri: "
+             "Virtual Shadow Maps, GPU Zen 3.",
      .also = "virtual shadow maps, clipmap, sparse, paged, VSM, virtual texture",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
@@ -233,28 +234,27 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
      .idle = levels_idle,
-     .help = "Number of maps of a directional light around the camera. The coarsest covers the view frustum, and each "
-             "finer one has texels half as wide. 1 is the map of light.fit, drawn by pages."},
+     .help = "Number of maps around the camera for a directional light. The coarsest map covers the view frustum, and "
+             "each finer map has texels half as wide. With 1 there is only the map of light.fit, drawn by pages."},
     {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4, .idle = level_bias_idle,
      .help = "Level offset. With 0 a texel covers half a pixel to a pixel. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},
     {SI_FIELD(map.bundle), .label = "Given maps", .max = 4096, .cost = Cost::Target,
-     .help = "A bundle, whose maps are read in place of drawn ones: a folder or zip file that an engine wrote (see "
-             "docs/bundle.md). Its first light's maps are those of the first light, and so on. Empty: maps are drawn. "
-             "In a preset the path is relative to the preset's folder.",
+     .help = "Path of a bundle: a folder or zip file with shadow maps, written by an engine (see docs/bundle.md). The "
+             "bundle's maps are read instead of drawn maps. Maps of the bundle's first light belong to light.0, and "
+             "so on. If the path is empty, maps are drawn. In a preset the path is relative to the preset's folder.",
      .also = "import, capture, engine's shadow map, external shadow map, baked depth, frame capture, RenderDoc",
      .file = true},
     {SI_FIELD(map.bundle_maps), .label = "Bundle's maps", .cost = Cost::Target, SI_CHOICES(kBundleMaps),
      .idle = bundle_maps_idle,
-     .help = "The maps of map.bundle as its images, or drawn again by this program from the same light: with the "
-             "bundle's matrices, sizes and raster state. Drawn maps show changes that need another map from the "
-             "engine. map.resolution, bias.raster_* and caster.cull begin with the bundle's values.",
+     .help = "Choice between the images in map.bundle and maps that this program draws again for the same light. "
+             "Drawn maps use the bundle's matrices, sizes and raster state. They show changes that need another map "
+             "from the engine. map.resolution, bias.raster_* and caster.cull begin with the bundle's values.",
      .also = "same light, redraw, beside theirs"},
     {SI_FIELD(map.bundle_bias), .label = "Engine's bias", SI_CHOICES(kBundleBiases), .idle = bundle_bias_idle,
-     .help =
-         "The source of the bias with which the engine reads the maps of map.bundle. A bundle may leave it out. Set "
-         "bias.* to the engine's values and choose entered: verdicts then speak of the engine's pixel. The picture "
-         "stays as it is.",
+     .help = "Source of the bias with which the engine reads the maps of map.bundle. A bundle may leave this bias "
+             "out. Set bias.* to the engine's values and choose entered. Verdicts on wrong pixels then refer to the "
+             "engine's picture. The drawn picture does not change.",
      .also = "engine bias, known bias, unknown bias, shadow bias of the engine"},
 }));
 static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
@@ -349,17 +349,17 @@ bool slope_acts(const Settings& s) {
 
 constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .cost = Cost::Program, .choices = bias_choices,
-     .help =
-         "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
-         "are added to it. Choosing another kind sets bias.constant and bias.normal to its starting values: 0.1 and "
-         "3 texels (bias.unit) for slope and constant, 0 for the others. Values of the same command line or sweep "
-         "stay.",
+     .help = "Rule for the amount that is subtracted from the fragment's depth before the comparison. Normal offset "
+             "and polygon offset are added to it. Choosing another kind sets bias.constant and bias.normal to its "
+             "starting values: 0.1 and 3 texels (bias.unit) for slope and constant, 0 for the others. Values from the "
+             "same command line or sweep stay.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
-     .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
-             "comparison. Too little: acne. Too much: shadows detach from their casters (peter-panning).",
+     .help = "The bias is max(slope bias * (1 - N·L), constant bias), with N·L the cosine between surface normal and "
+             "light. It is subtracted from the fragment's depth before the comparison. Too small a bias leaves acne. "
+             "Too large a bias detaches shadows from their casters (peter-panning).",
      .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne, r.Shadow.CSMDepthBias", .shader = true,
      .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
@@ -370,14 +370,15 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
              "surface normal and light.",
      .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
-     .help = "Limit of the difference between a texel's compared depth and the one at the look-up, in texel widths "
-             "along the light's axis; 0 is no limit. In grazing light a plane is steep without bound, and beyond the "
-             "limit it may show acne.",
+     .help = "Limit of the depth difference along the receiver plane between a texel of the kernel and the look-up. "
+             "The unit is the width of a texel along the light's axis; 0 is no limit. In grazing light the slope of a "
+             "plane grows without bound. Beyond the limit the plane may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "bias.normal_unit", .min = 0, .max = 100,
      .slider_max = 20,
-     .help = "Shifts the point of the look-up along its normal (normal-offset shadows). Cures acne at any angle of "
-             "light; too much lets light in at inner edges. bias.normal_by says what the angle does to it.",
+     .help = "Shifts the point of the look-up along its surface normal (normal-offset shadows). This cures acne at "
+             "any angle of light. Too large an offset lets light in at inner edges. bias.normal_by sets how the "
+             "offset depends on the angle.",
      .also = "normal bias, normalBias, shadowNormalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, "
              "normal offset bias",
      .shader = true},
@@ -438,8 +439,9 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
              "blends 2x2 texels, and edges are without steps.",
      .shader = true},
     {SI_FIELD(filter.bilinear), .label = "Bilinear taps", .cost = Cost::Program,
-     .help = "Each comparison blends 2x2 texels, as a shadow sampler with linear filtering does in most engines: "
-             "smoother edges, and half a texel more of reach to cover by bias. Off: it takes the nearest texel.",
+     .help = "Blends 2x2 texels in each comparison, as a shadow sampler with linear filtering does in most engines. "
+             "Edges are smoother, and the bias must cover half a texel more of reach. Off: each comparison takes the "
+             "nearest texel.",
      .also = "linear shadow sampler, hardware PCF, sampler2DShadow", .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
@@ -481,12 +483,13 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
              "shadow too narrow or ragged.",
      .shader = true},
     {SI_FIELD(filter.thickness), .label = "Thickness", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
-     .help = "Assumed thickness of the map's surfaces: a ray that passes farther behind one continues. Too little lets "
-             "light leak through solid objects, and too much widens the shadows of thin ones.",
+     .help = "Assumed thickness of the surfaces in the map. A ray that passes farther behind a surface continues. Too "
+             "small a thickness lets light leak through solid objects. Too large a thickness widens the shadows of "
+             "thin objects.",
      .shader = true},
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
-     .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
-             "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
+     .help = "The moments of each texel become the mean of the moments up to this many texels away, along x and y. "
+             "The map is blurred once, however many pixels read it. With 0 only bilinear sampling blends 2x2 texels.",
      .also = "blur radius, softness, blurSamples, blurWidth, shadow.blurSamples", .shader = true,
      .read_by = ReadBy::Moments},
     {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .min = 0, .max = 0.99,
@@ -513,17 +516,19 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
     {SI_FIELD(filter.moment_format), .label = "Moments", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
      .help = "The storage of each moment.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.exponent), .label = "Exponent", .min = 0.5, .max = 88, .logarithmic = true,
-     .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
-             "contacts. The limit is the range of the stored format (32-bit: esm 87.3, evsm 43.6, reduced by a blur; "
-             "16-bit: esm 11, evsm 5.54). A value beyond it is reported, and the limit is used.",
+     .help = "The exponent c of e^(c x), where x runs from -1 at the near plane to 1 at the far plane. A higher "
+             "exponent reduces light bleeding and sharpens contacts. The stored format limits it: in 32 bits to 87.3 "
+             "for esm and 43.6 for evsm, less with a blur. In 16 bits the limits are 11 and 5.54. A value beyond the "
+             "limit is reported, and the limit is used.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "d of -e^(-d x), the second warp. It separates near casters, and darkens slopes if it is high. Limits as "
              "filter.exponent.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.moment_bias), .label = "Moment bias", .min = 0, .max = 0.1, .logarithmic = true,
-     .help = "Share of the moments that is replaced by one half. It covers rounding, which leaves moments of no "
-             "possible depths: about 3e-6 for 32-bit, 3e-5 for 16-bit. Too little: noise. Too much: light bleeds.",
+     .help = "Share of the moments that is replaced by one half. A share of about 3e-6 covers rounding in 32 bits, "
+             "and 3e-5 in 16 bits. Rounding leaves moments that no depths can have. Too small a share leaves noise. "
+             "Too large a share lets light bleed in.",
      .shader = true},
     {SI_FIELD(filter.sums), .label = "Table", .cost = Cost::Program, SI_CHOICES(kSums),
      .help = "The number type of the summed-area table.", .shader = true, .read_by = ReadBy::Moments},

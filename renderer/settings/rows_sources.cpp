@@ -17,9 +17,9 @@ constexpr std::string_view kNone = "without effect: no light has contact shadows
 
 constexpr auto kSourceParams = std::to_array<Param>({
     {SI_FIELD(volumes.allow_large), .label = "Draw large volumes",
-     .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
-             "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
-             "note says how many triangles it would take and how often they would cover the picture."},
+     .help = "Draws shadow volumes even if more than 20000 triangles of casters belong to no closed surface. Each of "
+             "these triangles adds faces of its own, and a picture may take minutes. Off: such a light has no shadow. "
+             "A note then gives the number of triangles and how often their faces would cover the picture."},
     {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
      .help = "Number of samples along the ray. Thin casters between samples are missed. Each pixel starts at its own "
@@ -27,8 +27,9 @@ constexpr auto kSourceParams = std::to_array<Param>({
      .also = "samples, ray steps", .read_by = ReadBy::Visibility},
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
-     .help = "Assumed thickness of visible surfaces: a ray at most this far behind one is blocked. The picture does "
-             "not hold thickness. Too little lets light through, and too much shadows free surfaces behind an edge.",
+     .help = "Assumed thickness of visible surfaces, which the depth buffer does not hold. A ray at most this far "
+             "behind a surface is blocked. Too small a thickness lets light through. Too large a thickness shadows "
+             "free surfaces behind an edge.",
      .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
     {SI_FIELD(blob.size), .label = "Size", .unit = "x caster", .min = 0.1, .max = 4,
      .help = "Radius of the disc against half the caster's width across the light.", .read_by = ReadBy::Blobs},
@@ -43,13 +44,14 @@ constexpr auto kSourceParams = std::to_array<Param>({
      .read_by = ReadBy::Blobs},
     {SI_FIELD(light_map.resolution), .label = "Resolution", .unit = "texels", .min = 16, .max = 16384,
      .logarithmic = true, .cost = Cost::Target,
-     .help =
-         "Side of the square that holds all surfaces of the scene, a byte a texel and light. All surfaces have the "
-         "same texels per metre: as many as fit, as the pass reports. An edge of a shadow is off by up to 0.7 texels."},
+     .help = "Side of the square texture that holds all surfaces of the scene, with one byte for each texel and "
+             "light. All surfaces have the same number of texels per metre: as many as fit, which the pass reports. A "
+             "shadow edge is off by up to 0.7 texels."},
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .min = 1, .max = 1 << 20, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Maximum rays of a texel, over the light's area (light.size): 8 everywhere, 64 around penumbrae, and more "
-             "where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
+     .help = "Maximum number of rays from a texel to points of the light (light.size). Every texel gets 8 rays, "
+             "texels around penumbrae get 64, and noise may require more. A single ray goes to the light's middle, "
+             "and the shadow is hard."},
 });
 static_assert(kSourceParams.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
                                           member_count<BlobSettings>() + member_count<LightMapSettings>(),

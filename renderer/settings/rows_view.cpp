@@ -93,8 +93,9 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.source), .label = "Camera", SI_CHOICES(kSources), .help = "The source of the camera."},
     {SI_FIELD(camera.index), .label = "Scene's camera", .min = -1, .max = 9999,
      SI_IDLE(s.camera.source != CameraSource::Automatic, "without effect: set camera.source to auto"),
-     .help = "The scene's camera that is used, counted from 0; -1 is a camera that shows the whole scene, with objects "
-             "far from the rest that the first picture leaves out. Without effect on scenes without either."},
+     .help = "Index of the scene's camera that is used, counted from 0. With -1 a camera shows the whole scene, "
+             "including objects far from the rest that the first picture leaves out. Without effect on scenes that "
+             "have no cameras and no such objects."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world x."},
     {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
@@ -172,9 +173,9 @@ constexpr auto kScene = std::to_array<Param>({
      .help = "The time of the animation that is shown. After its last key the scene stands still.",
      .animation_only = true},
     {SI_FIELD(scene.distance), .label = "Offset from origin", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
-     .help =
-         "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
-         "world's origin single precision has few digits left for a shadow's edge (map.origin). 0 moves nothing."},
+     .help = "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from "
+             "the world's origin, single precision has few digits left for the position of a shadow edge "
+             "(map.origin). 0 moves nothing."},
     {SI_FIELD(scene.direction), .label = "Offset along", SI_CHOICES(kPlacedAlong),
      SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"),
      .help = "The direction in which the scene is moved."},
@@ -185,9 +186,10 @@ constexpr auto kScene = std::to_array<Param>({
      .help = "The ground under a loaded model, which shows its shadow.", .also = "floor, ground plane, shadow catcher"},
     {SI_FIELD(scene.fit_animation), .label = "Fit over the animation",
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
-     .help = "Fits shadow maps to all places that objects reach during the chosen animation. Maps then neither move "
-             "nor change size while it plays, and their texels are larger. Off: maps follow the shown pose. A fit to "
-             "the view frustum follows the camera either way. Without effect on scenes without animations.",
+     .help = "Fits shadow maps to all places that objects reach during the chosen animation. The maps then neither "
+             "move nor change size while it plays, but their texels are larger. Off: maps follow the shown pose. A "
+             "map fitted to the view frustum follows the camera in both cases. Without effect on scenes without "
+             "animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
              "when offscreen, skinned bounds",
      .animation_only = true},
@@ -204,9 +206,9 @@ constexpr auto kReference = std::to_array<Param>({
              "which casts hard shadows.",
      .also = "soft shadows, area light, ray-traced shadows"},
     {SI_FIELD(truth.samples), .label = "Maximum rays", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
-     .help = "Maximum rays of a pixel to an area light: 8 everywhere, 64 around penumbrae, more where noise requires "
-             "it. Beyond 256 they go only to parts of the light along a shadow's edge, unless shadows are narrower "
-             "than these parts."},
+     .help = "Maximum number of rays from a pixel to an area light. Every pixel gets 8 rays, pixels around penumbrae "
+             "get 64, and noise may require more. Rays beyond 256 go only to parts of the light along a shadow's "
+             "edge, unless shadows are narrower than these parts."},
     {SI_FIELD(truth.noise), .label = "Noise", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Target standard error of a pixel's reference visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,

@@ -144,14 +144,14 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.map), .label = "Map view", SI_CHOICES(kMapViews), .help = "The display of depth in the map viewer.",
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_channel), .label = "Channel", SI_CHOICES(kMapChannels), .idle = channel_idle,
-     .help = "The shown channel of the light's map: depth, or one of the moments that filter.kernel reads. Raw: the "
-             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth which would "
-             "give that number.",
+     .help = "Channel of the light's map that is shown: depth, or one of the moments that filter.kernel reads. With "
+             "view.map raw, grey is the number itself, from 0 black to 1 white. For exponentials, fit the greys "
+             "(view.map_fit). With view.map linear, grey is the depth that would give that number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .min = 0, .max = 15, .idle = mip_idle,
-     .help = "The shown mip level of the channel: 0 the map's own texels, each further one has half as many across; "
-             "numbers past the coarsest mean that one. The saved floats are the level's own: a moment's numbers under "
-             "view.map raw, else the share of the depth range which would give that number.",
+     .help = "Mip level of the channel that is shown. 0 is the map's own resolution, and each further level has half "
+             "as many texels across. A number past the coarsest level means that level. Saved floats are the level's "
+             "own: numbers of a moment under view.map raw, else the share of the depth range that would give them.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to drawn depths", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
@@ -182,8 +182,9 @@ constexpr auto kView = std::to_array<Param>({
      .help = "The light whose shadow map, visibility, overlays and quads are shown; 0 is the first.",
      .read_by = ReadBy::OneLight},
     {SI_FIELD(view.face), .label = "Face or cascade shown", .min = 0, .max = kMaxClipLevels - 1, .idle = face_idle,
-     .help = "The shown map of the light. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A directional "
-             "light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
+     .help = "Map of the light that is shown. For a point light, 0 to 5 are the faces +x, -x, +y, -y, +z and -z. For "
+             "a directional light, 0 is the cascade nearest to the camera. A number past the last cascade means the "
+             "last one."},
     {SI_FIELD(view.panes), .label = "Panes", SI_CHOICES(kPanes),
      .help = "Number of pictures beside each other, all from the same camera, each with an overlay of its own."},
     {SI_FIELD(view.overlay), .label = "Overlay", .cost = Cost::Program, .choices = overlay_choices,
@@ -218,19 +219,18 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.axes), .label = "Axes",
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
     {SI_FIELD(view.smooth), .label = "Smooth when static",
-     .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of a "
-             "pixel. Edges and colours are averaged; the visibility of lights on opaque surfaces stays that of the one "
-             "picture. Numbers, "
-             "overlays and probes keep to the one picture. Off: pixels as they are.",
+     .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of "
+             "a pixel. Edges and colours are averaged. The visibility of lights on opaque surfaces comes from a "
+             "single picture, as do numbers, overlays and probes. Off: pixels are not averaged.",
      .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
     {SI_FIELD(view.look), .label = "Look", SI_CHOICES(kLooks),
      .help = "Style of the picture in the editor, and in `render --look`. Numbers, masks, comparisons, FLIP, bundles "
              "and all other pictures are drawn plain.",
      .also = "grid, floor, horizon, ambient occlusion, SSAO, AO"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", SI_CHOICES(kSlabs), .idle = slabs_idle,
-     .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
+     .help = "Draws texels of the shown light's map into the scene, each as a flat quad at its stored depth. A "
              "surface is in shadow where it lies behind the quad of its texel, so the quads show how acne arises. "
-             "Empty texels (at the far plane) are left out.",
+             "Empty texels, at the far plane, are left out.",
      .also = "texel slabs, depth quads", .read_by = ReadBy::Slabs},
     {SI_FIELD(view.slabs_u), .label = "Quads around u", .min = 0, .max = 1, .idle = slabs_region_idle,
      .help = "Centre of the square of texels that are drawn as quads, as a share of the map's width.",
