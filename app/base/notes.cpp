@@ -30,7 +30,7 @@ void print_wrote(const std::filesystem::path& file) {
     fmt::print("wrote {}\n", printable(file.string(), std::string::npos));
 }
 
-Workers tracing_workers(int threads) {
+Workers workers_with_progress(int threads) {
     Workers workers{.threads = threads};
     if (!::isatty(STDERR_FILENO)) return workers;
     workers.progress = [last = -1](double t) mutable {

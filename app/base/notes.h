@@ -19,7 +19,7 @@ void print_notes(const std::vector<std::string>& notes);
 /// Returns the thread count and the progress callback for tracing rays. If stderr is a terminal, the callback prints
 /// the percentage done there.
 /// @param threads number of threads; 0: all cores
-Workers tracing_workers(int threads = 0);
+Workers workers_with_progress(int threads = 0);
 
 /// Joins a text of several lines into one line for a message. Line breaks become "; ", tabs become spaces, and other
 /// control characters become visible escapes.

@@ -88,7 +88,7 @@ void require_distinct(const fs::path& a, std::string_view one, const fs::path& b
         throw UsageError(fmt::format("{}: {} and {} are one file; name two", b.string(), one, other));
 }
 
-void require_no_input(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+void require_outputs_not_read(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
     for (const fs::path& output : outputs)
         for (const fs::path& input : inputs)
             if (std::error_code error; fs::equivalent(output, input, error))

@@ -31,7 +31,8 @@ struct OutputIsInput : UsageError {
 
 /// Checks that a command writes no file that it reads. Symbolic and hard links to a file count as that file.
 /// @throws OutputIsInput
-void require_no_input(std::span<const std::filesystem::path> outputs, std::span<const std::filesystem::path> inputs);
+void require_outputs_not_read(std::span<const std::filesystem::path> outputs,
+                              std::span<const std::filesystem::path> inputs);
 
 /// Checks before long work that a file can be written at `path` and that its extension is one of `extensions`.
 /// @param what name of the file in error messages, such as "the sheet" @throws UsageError for the extension; Error

@@ -336,8 +336,8 @@ void start_editor(const EditOptions& o) {
     e.size_given = o.size_given;
     if (!e.report.empty()) require_writable(e.report);
     require_distinct(e.screenshot, "--screenshot", e.report, "--report");
-    require_no_input(std::vector{e.screenshot, e.report},
-                     std::vector<std::filesystem::path>{o.session.scene, o.session.preset});
+    require_outputs_not_read(std::vector{e.screenshot, e.report},
+                             std::vector<std::filesystem::path>{o.session.scene, o.session.preset});
     page_named(e.tab);
     if (!o.probe.empty()) std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe, o.size, "--probe");
     e.session = o.session;

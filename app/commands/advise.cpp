@@ -81,7 +81,7 @@ Json autopilot_json(const AutopilotResult& r, const AdviseOptions& o, const Metr
     json["seconds"] = r.seconds;
     json["stopped"] = r.stopped;
     json["untried"] = r.untried;
-    json["dropped"] = json_list(r.dropped, [](const DroppedEffect& d) -> Json {
+    json["dropped"] = json_list(r.dropped, [](const SettingContribution& d) -> Json {
         return {{"setting", d.key},
                 {"was", d.before},
                 {"is", d.now},
@@ -128,7 +128,7 @@ void print_report(const AdviceReport& r, const EngineWording& engine) {
 
 /// @param clock name of the clock of all times
 void print_flight(const AutopilotResult& r, const std::string& clock) {
-    for (const DroppedEffect& d : r.dropped)
+    for (const SettingContribution& d : r.dropped)
         fmt::print("  {}={} instead of {}: {} would have cost {} (error {:.4g} with it)\n", d.key, d.now, d.before,
                    d.before, time_text(d.ms), d.error);
     for (const std::string& text : r.untried) fmt::print("  {}\n", text);

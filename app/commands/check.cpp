@@ -71,8 +71,8 @@ void require_check_outputs(const CheckOptions& options) {
     if (!options.junit.empty()) require_writable(options.junit);
     if (!options.write_baseline.empty()) require_output(options.write_baseline, "a baseline", {".json"});
     require_distinct(options.junit, "--junit", options.write_baseline, "--write-baseline");
-    require_no_input(std::vector<fs::path>{options.junit, options.write_baseline},
-                     std::vector<fs::path>{options.session.scene, options.session.preset, options.baseline});
+    require_outputs_not_read(std::vector<fs::path>{options.junit, options.write_baseline},
+                             std::vector<fs::path>{options.session.scene, options.session.preset, options.baseline});
 }
 
 /// Replaces each place of a text that says `from` by `to`.
@@ -143,7 +143,7 @@ CheckedFrame checked_frame(const CheckOptions& options, const CheckLimits& limit
                    .driver = driver_name(renderer.driver()),
                    .meaning = kErrorMeaning};
     if (baseline)
-        for (std::string& remark : compare_circumstances(*baseline, out.picture, limits.tolerance.has_value()))
+        for (std::string& remark : require_same_conditions(*baseline, out.picture, limits.tolerance.has_value()))
             out.notes.push_back(std::move(remark));
     Measurer measurer(renderer, options.size.width, options.size.height, workers);
     const Classification classified = measurer.classify(session.scene, session.settings);

@@ -38,8 +38,8 @@ ByteImage read_picture(const std::string& path) {
 void run_compare_pictures(const ComparePicturesOptions& options) {
     if (!options.output.empty()) {
         require_output(options.output, "the heat map", {".png"});
-        require_no_input(std::vector<std::filesystem::path>{options.output},
-                         std::vector<std::filesystem::path>{options.picture, options.other_picture});
+        require_outputs_not_read(std::vector<std::filesystem::path>{options.output},
+                                 std::vector<std::filesystem::path>{options.picture, options.other_picture});
     }
     const ByteImage a = read_picture(options.picture), b = read_picture(options.other_picture);
     if (a.width != b.width || a.height != b.height)

@@ -57,8 +57,8 @@ void measure_scene(const ConvertOptions& options, const Session& session, Conver
 void run_convert(const ConvertOptions& options) {
     const ConvertTarget& target = convert_target(options.target);
     if (!options.output.empty()) {
-        require_no_input(std::vector<std::filesystem::path>{options.output},
-                         std::vector<std::filesystem::path>{options.session.preset, options.session.scene});
+        require_outputs_not_read(std::vector<std::filesystem::path>{options.output},
+                                 std::vector<std::filesystem::path>{options.session.preset, options.session.scene});
         require_writable(options.output);
     }
     SessionOptions opened = options.session;

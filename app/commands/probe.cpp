@@ -181,7 +181,7 @@ void run_probe(const ProbeOptions& options) {
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     FrameRequest request{.width = grid.width, .height = grid.height};
     ReferenceCache sources;
-    trace_sources(renderer, session.scene, session.settings, request, sources, tracing_workers());
+    trace_sources(renderer, session.scene, session.settings, request, sources, workers_with_progress());
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
     std::vector<PixelDiagnosis> found;
     std::optional<FixTable> table;
@@ -231,7 +231,7 @@ void run_probe(const ProbeOptions& options) {
         write_file(section, section_svg(pixel_section(shown, light, found, session.settings, casters.get())));
     }
     if (options.check_numeric)
-        require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));
+        require_sound(*search_numbers(renderer, session.scene, session.settings, request, workers_with_progress()));
 }
 
 }  // namespace si

@@ -55,7 +55,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
     Settings settings = session.settings;
     settings.view.panes = Panes::One;
     request.outputs.true_colour = preset == nullptr;
-    frame = render_with_reference(renderer, session.scene, settings, request, references, tracing_workers());
+    frame = render_with_reference(renderer, session.scene, settings, request, references, workers_with_progress());
     const ByteImage a = renderer.read_colour(frame.colour);
     ByteImage b;
     if (!preset) {
@@ -66,7 +66,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
         check_objects(session.scene, other, options.against, nullptr);
         request.outputs.true_colour = false;
         b = renderer.read_colour(
-            render_with_reference(renderer, session.scene, other, request, references, tracing_workers()).colour);
+            render_with_reference(renderer, session.scene, other, request, references, workers_with_progress()).colour);
     }
     write_png(options.output, options.difference   ? difference_image(a, b)
                               : options.swipe >= 0 ? swipe_image(a, b, options.swipe)
@@ -105,7 +105,8 @@ void run_render(const RenderOptions& options) {
     }
     std::optional<Settings> fit_camera;
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
-    require_no_input(options.session.outputs, std::vector<std::filesystem::path>{options.against, options.fit_camera});
+    require_outputs_not_read(options.session.outputs,
+                             std::vector<std::filesystem::path>{options.against, options.fit_camera});
     require_picture_memory(options.size, !against                     ? kDrawnPixelBytes
                                          : options.against == "truth" ? kTracedPixelBytes
                                                                       : kComparedPixelBytes);
@@ -131,12 +132,13 @@ void run_render(const RenderOptions& options) {
         mean = write_against(renderer, session, request, options, other ? &*other : nullptr, frame);
         fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, printable(options.against, std::string::npos));
     } else {
-        frame = write_view(renderer, session.scene, session.settings, request, view, options.output, tracing_workers());
+        frame = write_view(renderer, session.scene, session.settings, request, view, options.output,
+                           workers_with_progress());
         if (options.fit) fmt::print("{}\n", grey_range_text(session.settings.view, frame));
     }
     std::shared_ptr<const NumericHealth> health;
     if (options.check_numeric)
-        health = search_numbers(renderer, session.scene, session.settings, request, tracing_workers());
+        health = search_numbers(renderer, session.scene, session.settings, request, workers_with_progress());
     if (!options.report.empty()) {
         auto report = report_json(session, view.key, request, frame, renderer.driver());
         if (health) report["numeric_health"] = health_json(*health);

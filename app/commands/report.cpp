@@ -33,8 +33,8 @@ void run_report(const ReportOptions& options) {
         const auto [x, y] = parse_pixel(text, options.size);
         what.pixels.emplace_back(x, y);
     }
-    require_no_input(std::vector<std::filesystem::path>{options.output},
-                     std::vector<std::filesystem::path>(options.presets.begin(), options.presets.end()));
+    require_outputs_not_read(std::vector<std::filesystem::path>{options.output},
+                             std::vector<std::filesystem::path>(options.presets.begin(), options.presets.end()));
     SessionOptions first = options.session;
     first.preset = options.presets.front();
     Session session = open_session(first);

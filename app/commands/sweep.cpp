@@ -64,9 +64,9 @@ void run_sweep(const SweepOptions& options) {
     const fs::path folder = options.output;
     require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
-    hold_assigned(axes, assigned_keys(opened.sets));
+    protect_assigned_settings(axes, assigned_keys(opened.sets));
     Scene scene = load_scene(opened.scene_name, scene_options(opened));
-    require_no_input(sweep_files(folder), scene, opened.preset_path);
+    require_outputs_not_read(sweep_files(folder), scene, opened.preset_path);
     Session session = compose_session(opened, std::move(scene));
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes),
                                 options.size.width, options.size.height);

@@ -82,7 +82,7 @@ void run_reference(const ReferenceCommandOptions& options) {
     wanted.as_rasterised = options.as_rasterised;
     const ReferenceTask task = reference_task(renderer, session.scene, session.settings, request, light, wanted);
     ReferenceCache cache;
-    const TracedReference traced = cache.trace(task, tracing_workers(options.threads));
+    const TracedReference traced = cache.trace(task, workers_with_progress(options.threads));
     const FloatImage& picture = traced.reference->visibility;
     write_scalar_image(options.output, picture);
     if (!options.report.empty()) write_file(options.report, json_text(reference_json(traced, task, light)));

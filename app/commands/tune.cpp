@@ -122,7 +122,7 @@ void print_tuned(const Tuned& tuned) {
 Json engine_numbers_json(const EngineWording& engine, const Settings& settings) {
     const WrittenValues written = write_engine_values(*engine.profile, settings, engine.facts);
     Json numbers = Json::object();
-    for (const WrittenParameter& p : written.parameters) {
+    for (const ConvertedParameter& p : written.parameters) {
         if (!p.parameter->is_bias) continue;
         Json number = written_parameter_json(p);
         number["note"] = p.note;
@@ -140,7 +140,7 @@ void print_engine_numbers(const EngineWording& engine, const Settings& settings)
     fmt::print("in {}, for a map of {:.4g} m, {} texels and {:.4g} m of depth, at {:g} degrees:\n",
                engine.profile->title, engine.facts.width_m, engine.facts.texels, engine.facts.depth_m,
                engine.facts.angle_deg);
-    for (const WrittenParameter& p : write_engine_values(*engine.profile, settings, engine.facts).parameters)
+    for (const ConvertedParameter& p : write_engine_values(*engine.profile, settings, engine.facts).parameters)
         if (p.parameter->is_bias)
             fmt::print("  {} = {:.6g} {} ({:.3g} texels, {:.3g} m{}{})\n", p.parameter->key, p.value, p.parameter->unit,
                        p.texels, p.metres, p.exactness == Exactness::Exact ? "" : "; at this angle only",

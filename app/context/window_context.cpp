@@ -208,7 +208,7 @@ float WindowContext::content_scale() const {
     return std::max({x, y, 0.5f});
 }
 
-std::vector<WindowContext::KeyPress> WindowContext::take_keys() {
+std::vector<WindowContext::KeyPress> WindowContext::pass_keys_to_imgui() {
     const InputQueue::Strokes strokes = events_.queue.take_strokes();
     std::vector<KeyPress> pressed;
     for (const auto& [key, mods, down] : strokes.keys) {

@@ -68,7 +68,7 @@ public:
     };
     /// Passes keys, characters and wheel movement to ImGui, as many as input().next() took from the queue for this
     /// frame. Returns the keys that were pressed.
-    std::vector<KeyPress> take_keys();
+    std::vector<KeyPress> pass_keys_to_imgui();
     /// Returns true if the key was held in the last frame shown. @param key GLFW_KEY_*
     bool is_down(int key) const { return events_.queue.is_down(key); }
     /// Returns the files dropped on the window since the last call.
@@ -90,7 +90,7 @@ private:
         InputQueue queue;
         std::vector<std::filesystem::path> dropped;
     };
-    /// Callbacks of ImGui's GLFW backend, through which take_keys() passes the queued input to ImGui.
+    /// Callbacks of ImGui's GLFW backend, through which pass_keys_to_imgui() passes the queued input to ImGui.
     struct Backend {
         void (*key)(GLFWwindow*, int key, int scancode, int action, int mods) = nullptr;
         void (*character)(GLFWwindow*, unsigned) = nullptr;
@@ -99,7 +99,8 @@ private:
     /// Installs the GLFW callbacks of the window for mouse, focus, resize, redraw and dropped files.
     void install_callbacks();
     /// Replaces the GLFW callbacks of ImGui for keys, characters and wheel by ones that fill the input queue. Keeps
-    /// ImGui's callbacks for take_keys(). Called before each poll, since ImGui may install its callbacks again.
+    /// ImGui's callbacks for pass_keys_to_imgui(). Called before each poll, since ImGui may install its callbacks
+    /// again.
     void intercept_backend();
     /// Adds a press or release of a key to the window's input queue. Callback for GLFW.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);

@@ -45,7 +45,7 @@ std::string c_float(double value) {
 }
 
 double CodeInput::number(std::string_view key) const {
-    const WrittenParameter* written = values.find(key);
+    const ConvertedParameter* written = values.find(key);
     return written ? written->value : engine_parameter(profile, key).standard;
 }
 

@@ -134,7 +134,7 @@ constexpr std::string_view exactness_text(Exactness exactness, bool bias) {
 /// Adds the head of an engine's numbers.
 void add_engine(Head& head, const EngineProfile& profile, const WrittenValues& values, const MapFacts& facts) {
     head.add("number | metres | texels | agreement");
-    for (const WrittenParameter& p : values.parameters) {
+    for (const ConvertedParameter& p : values.parameters) {
         const bool bias = p.parameter->is_bias;
         std::string line =
             fmt::format("  {} = {}{}{}", p.parameter->key,
@@ -158,7 +158,7 @@ void add_engine(Head& head, const EngineProfile& profile, const WrittenValues& v
 
 nlohmann::ordered_json engine_json(const EngineProfile& profile, const WrittenValues& values, const MapFacts& facts) {
     auto parameters = nlohmann::ordered_json::array();
-    for (const WrittenParameter& p : values.parameters) {
+    for (const ConvertedParameter& p : values.parameters) {
         nlohmann::ordered_json row{{"key", p.parameter->key}};
         if (p.parameter->choices.empty())
             row["value"] = p.value;

@@ -84,8 +84,9 @@ void ConversionPreview::save(const std::string& path, const Scene* scene, bool r
     shown_->replaces = false;
     try {
         const std::vector<std::filesystem::path> outputs{path};
-        require_no_input(outputs, std::vector<std::filesystem::path>{state_.files.preset_path, state_.scene_name});
-        if (scene) require_no_input(outputs, *scene, state_.files.preset_path);
+        require_outputs_not_read(outputs,
+                                 std::vector<std::filesystem::path>{state_.files.preset_path, state_.scene_name});
+        if (scene) require_outputs_not_read(outputs, *scene, state_.files.preset_path);
         require_writable(path);
         if (!replace && is_taken(path)) {
             shown_->replaces = true;

@@ -89,7 +89,7 @@ ByteImage read_window(int width, int height) {
 /// during a slow frame.
 class PressedKeys {
 public:
-    explicit PressedKeys(WindowContext& window) : window_(window), keys_(window.take_keys()) {
+    explicit PressedKeys(WindowContext& window) : window_(window), keys_(window.pass_keys_to_imgui()) {
         ImGuiIO& io = ImGui::GetIO();
         for (const auto& [key, mods] : keys_) {
             io.KeysDown[key] = true;
@@ -226,7 +226,7 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     editor.settle();
     editor.add_all_samples();
     editor.model().require_scene();
-    require_no_input(std::vector{options.screenshot}, *editor.model().facts().scene, options.session.preset);
+    require_outputs_not_read(std::vector{options.screenshot}, *editor.model().facts().scene, options.session.preset);
     write_png(options.screenshot, editor.picture());
     editor.model().end();
     require_sound_session(editor.model());

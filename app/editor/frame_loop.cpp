@@ -263,7 +263,7 @@ void FrameLoop::queue_likely_shaders(const Scene& scene) {
     // A hover needs map coordinates, a click a probe, the map viewer its picture.
     WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = facts_.request};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
-    next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
+    next.scene = std::make_shared<const Scene>(make_proxy_scene(scene, drawn_settings_));
     warmup_->enqueue(std::move(next));
 }
 

@@ -56,7 +56,7 @@ public:
     /// Draws a view of the shown frame (the picture, or a depth map) into a file. @throws Error
     void save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
-    bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
+    bool poll_shaders() { return shaders_changed_ = renderer_.reload_changed_shaders() || shaders_changed_; }
 
     /// Returns the numbers read back from the frames, with the diagnosis of the probed pixel.
     const EditorReadBack& read_back() const { return read_back_; }

@@ -112,7 +112,7 @@ void EditorModel::open(const std::filesystem::path& path) {
 void EditorModel::export_file(const ExportRequest& wanted, bool replace) {
     const Scene& scene = scenes_.require();
     if (wanted.kind == ExportKind::Bundle) return export_.start(scene, picture_size(), wanted.path, replace);
-    require_no_input(std::vector<std::filesystem::path>{wanted.path}, scene, {});
+    require_outputs_not_read(std::vector<std::filesystem::path>{wanted.path}, scene, {});
     const View view = shown_view(wanted.kind);
     check_view_file(view, wanted.path);
     require_writable(wanted.path);
@@ -257,7 +257,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.save_error.has_value(), [&] {
         const std::string path = *std::exchange(requests.save_error, {});
         if (const Scene* scene = scenes_.scene())
-            require_no_input(std::vector<std::filesystem::path>{path}, *scene, {});
+            require_outputs_not_read(std::vector<std::filesystem::path>{path}, *scene, {});
         requests.save_error = path;
     });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });

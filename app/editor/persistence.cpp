@@ -19,7 +19,7 @@ std::string count_text(double number, const char* unit) {
 
 }  // namespace
 
-std::string whole_path(const std::filesystem::path& path) {
+std::string absolute_path(const std::filesystem::path& path) {
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::absolute(path, error);
     return (error ? path : whole).lexically_normal().string();
@@ -34,11 +34,11 @@ std::string age_text(double seconds) {
 
 void EditorPersistence::note_scene(const std::string& path) {
     if (is_builtin_scene(path)) return;
-    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, whole_path(path)); });
+    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, absolute_path(path)); });
 }
 
 void EditorPersistence::note_preset(const std::string& path) {
-    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, whole_path(path)); });
+    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, absolute_path(path)); });
 }
 
 void EditorPersistence::note_welcome() {

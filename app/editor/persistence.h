@@ -56,7 +56,7 @@ private:
 };
 
 /// Returns the absolute path without "." and "..". Symbolic links are not resolved.
-std::string whole_path(const std::filesystem::path& path);
+std::string absolute_path(const std::filesystem::path& path);
 /// Formats an age in words: "less than a minute ago", "3 minutes ago". @param seconds age
 std::string age_text(double seconds);
 

@@ -93,7 +93,8 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
             clear();
         return had;
     }
-    const std::string label = state.comparison.reference ? "ray-traced reference" : reference_label(state.compare);
+    const std::string label =
+        state.comparison.reference ? "ray-traced reference" : compared_settings_name(state.compare);
     if (!had || facts_->label != label) {
         if (state.comparison.reference) other_.reset();
         facts_ = PictureComparisonFacts{.label = label};

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 /// an absolute one, so that the preset loads from any working directory.
 std::string scene_for(const fs::path& preset, const std::string& scene) {
     if (is_builtin_scene(scene)) return scene;
-    const std::string file = whole_path(scene);
-    const fs::path relative = fs::path(file).lexically_relative(fs::path(whole_path(preset)).parent_path());
+    const std::string file = absolute_path(scene);
+    const fs::path relative = fs::path(file).lexically_relative(fs::path(absolute_path(preset)).parent_path());
     return relative.empty() || *relative.begin() == ".." ? file : relative.string();
 }
 
@@ -68,13 +68,13 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
 
 void PresetRequestHandler::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
-    const std::string key = whole_path(path);
+    const std::string key = absolute_path(path);
     std::error_code error;
     if (!replace && !files_.contains(key) && fs::is_regular_file(path, error)) {
         state_.files.replace = Replacement{path, about};
         return;
     }
-    if (const Scene* scene = scenes_.scene()) require_no_input(std::vector<fs::path>{path}, *scene, {});
+    if (const Scene* scene = scenes_.scene()) require_outputs_not_read(std::vector<fs::path>{path}, *scene, {});
     // A file that was opened keeps its title, topic and sentence.
     Preset preset = files_.contains(key) ? files_.at(key) : Preset{};
     if (about) preset.about = *about;
@@ -95,7 +95,7 @@ GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset pre
     if (!is_built_in(name_or_path)) {
         state_.files.preset_path = name_or_path;
         persistence_.note_preset(name_or_path);
-        files_[whole_path(name_or_path)] = preset;
+        files_[absolute_path(name_or_path)] = preset;
     }
     return {name_or_path, preset.title, preset.about};
 }
@@ -106,7 +106,7 @@ bool PresetRequestHandler::is_built_in(const std::string& key) const {
 }
 
 const Preset* PresetRequestHandler::known_file() const {
-    const auto it = files_.find(whole_path(state_.files.preset_path));
+    const auto it = files_.find(absolute_path(state_.files.preset_path));
     return it == files_.end() ? nullptr : &it->second;
 }
 

@@ -39,8 +39,9 @@ void ReportExport::start(const Scene& scene, glm::ivec2 size, const ReportReques
     try {
         const std::vector<std::filesystem::path> outputs{request.output};
         require_output(request.output, "the report", {".html"});
-        require_no_input(outputs, scene, state_.files.preset_path);
-        require_no_input(outputs, std::vector<std::filesystem::path>(request.presets.begin(), request.presets.end()));
+        require_outputs_not_read(outputs, scene, state_.files.preset_path);
+        require_outputs_not_read(outputs,
+                                 std::vector<std::filesystem::path>(request.presets.begin(), request.presets.end()));
         std::error_code error;
         if (!request.replace && std::filesystem::exists(std::filesystem::symlink_status(request.output, error))) {
             replaces_ = true;

@@ -14,7 +14,7 @@ namespace si {
 
 /// Frame that the shader warm-up draws so that the driver compiles its shaders, including those of its probe.
 struct WarmupFrame {
-    std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by stand_in()
+    std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by make_proxy_scene()
     Settings settings;
     FrameRequest request;
 };

@@ -215,8 +215,8 @@ CheckBaseline parse_check_baseline(std::string_view text, const std::string& fil
     return out;
 }
 
-std::vector<std::string> compare_circumstances(const CheckBaseline& baseline, const CheckedPicture& picture,
-                                               bool tolerant) {
+std::vector<std::string> require_same_conditions(const CheckBaseline& baseline, const CheckedPicture& picture,
+                                                 bool tolerant) {
     const std::string& file = baseline.file;
     const CheckedPicture& before = baseline.picture;
     if (before.width != picture.width || before.height != picture.height)

@@ -90,8 +90,8 @@ CheckBaseline parse_check_baseline(std::string_view text, const std::string& fil
 /// errors can be compared. Returns remarks for the user.
 /// @param tolerant true: another driver or another version of the error definitions becomes a remark
 /// @throws Error naming the first difference that forbids a comparison
-std::vector<std::string> compare_circumstances(const CheckBaseline& baseline, const CheckedPicture& picture,
-                                               bool tolerant);
+std::vector<std::string> require_same_conditions(const CheckBaseline& baseline, const CheckedPicture& picture,
+                                                 bool tolerant);
 
 /// Result of one limit of the command `check`: the limit, the measured number, and whether the limit is kept.
 struct CheckFinding {

@@ -19,7 +19,7 @@ Json change_json(const CostChange& ms) {
     return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
 }
 
-Json written_parameter_json(const WrittenParameter& p) {
+Json written_parameter_json(const ConvertedParameter& p) {
     return {{"value", p.value},
             {"unit", p.parameter->unit},
             {"exactness", kExactnessKeys[std::size_t(p.exactness)]},
@@ -28,10 +28,10 @@ Json written_parameter_json(const WrittenParameter& p) {
 }
 
 Json engine_changes_json(const EngineWording& engine, const std::vector<std::pair<std::string, std::string>>& changes) {
-    const std::vector<WrittenParameter> changed = engine.changed(changes);
+    const std::vector<ConvertedParameter> changed = engine.changed(changes);
     if (changed.empty()) return {};
     Json parameters = Json::object();
-    for (const WrittenParameter& p : changed) parameters[std::string(p.parameter->key)] = written_parameter_json(p);
+    for (const ConvertedParameter& p : changed) parameters[std::string(p.parameter->key)] = written_parameter_json(p);
     return {{"profile", engine.profile->name}, {"text", engine.text(changes)}, {"parameters", parameters}};
 }
 

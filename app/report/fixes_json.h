@@ -19,7 +19,7 @@ nlohmann::ordered_json change_json(const CostChange& ms);
 nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
 /// Converts a parameter of another engine, with the number converted from this program's settings, to JSON {value,
 /// unit, exactness, texels, metres}.
-nlohmann::ordered_json written_parameter_json(const WrittenParameter& parameter);
+nlohmann::ordered_json written_parameter_json(const ConvertedParameter& parameter);
 /// Converts changes of settings to changes of an engine's bias parameters, as JSON {profile, text, parameters}. Null if
 /// `engine` has no profile, or if no bias parameter changes.
 /// @param changes pairs of setting key and new value

@@ -67,7 +67,7 @@ FirstCasters surfaces_of(const Scene& scene, const glm::dmat4& world) {
     Scene placed = scene;
     if (world != glm::dmat4(1)) place(placed, world);
     const auto geometry = std::make_shared<const ReferenceGeometry>(placed, Settings());
-    const auto rays = std::make_shared<const ReferenceScene>(geometry, tracing_workers());
+    const auto rays = std::make_shared<const ReferenceScene>(geometry, workers_with_progress());
     return [rays](std::span<const MapRay> map_rays) {
         std::vector<LightRaySegment> segments;
         for (const MapRay& ray : map_rays) segments.push_back({ray.from_ws, ray.to_ws});
@@ -176,7 +176,7 @@ std::vector<std::string> write_map_import(const MapImport& map, std::size_t inde
     const ConventionFit& fit = map.fits.fits[index];
     if (!fit.refusal.empty()) throw Error(fit.refusal);
     require_bundle_name(output.string());
-    require_no_input(std::vector<fs::path>{output}, map.inputs);
+    require_outputs_not_read(std::vector<fs::path>{output}, map.inputs);
     Bundle bundle = map.light.bundle;
     BundleLight& own = bundle.lights.front();
     own = with_convention(own, fit.convention);

@@ -37,14 +37,14 @@ bool applies_by_default(const EngineParameter& parameter) {
     return parameter.is_bias || of("filter.") || of("caster.") || of("map.format");
 }
 
-bool is_of_bias(const ReadSetting& setting) {
+bool is_of_bias(const ConvertedSetting& setting) {
     return setting.key.starts_with("bias.");
 }
 
 /// Sets the settings that engine values give. @param bias sets those of the bias, else all others
 void set_read(const EngineSession& engine, const EngineValues& values, const MapFacts& facts, bool bias,
               Settings& settings, std::vector<std::string>* notes) {
-    for (const ReadSetting& setting : read_engine_values(*engine.profile, values, facts)) {
+    for (const ConvertedSetting& setting : read_engine_values(*engine.profile, values, facts)) {
         if (is_of_bias(setting) != bias) continue;
         set_setting(settings, setting.key, setting.value);
         if (!notes) continue;

@@ -261,16 +261,16 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
             std::move(engine)};
 }
 
-void require_no_input(std::span<const fs::path> outputs, const Scene& scene, const std::string& preset) {
+void require_outputs_not_read(std::span<const fs::path> outputs, const Scene& scene, const std::string& preset) {
     std::vector<fs::path> inputs{preset};
     for (const StampedFile& file : scene.files) inputs.push_back(file.path);
-    require_no_input(outputs, inputs);
+    require_outputs_not_read(outputs, inputs);
 }
 
 Session open_session(const SessionOptions& options) {
     const SessionPlan plan = plan_session(options);
     Scene scene = load_scene(plan.scene_name, scene_options(plan));
-    require_no_input(options.outputs, scene, plan.preset_path);
+    require_outputs_not_read(options.outputs, scene, plan.preset_path);
     return compose_session(plan, std::move(scene));
 }
 

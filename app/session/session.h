@@ -77,7 +77,8 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
 
 /// Checks that a command writes no file that it reads: neither a file of the scene nor the preset.
 /// @param preset path of the preset; empty: none @throws UsageError
-void require_no_input(std::span<const std::filesystem::path> outputs, const Scene& scene, const std::string& preset);
+void require_outputs_not_read(std::span<const std::filesystem::path> outputs, const Scene& scene,
+                              const std::string& preset);
 
 /// Opens a session for a command: checks the options, loads the scene, poses it and composes its settings.
 /// @throws UsageError, Error

@@ -12,18 +12,18 @@ namespace {
 
 constexpr std::size_t kMaxNamed = 5;  ///< number of contradicting cases that notes name
 
-bool knows(const std::vector<Turn>& turns, const Turn& turn) {
+bool knows(const std::vector<RoundTimes>& turns, const RoundTimes& turn) {
     return std::any_of(turns.begin(), turns.end(),
-                       [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
+                       [&](const RoundTimes& t) { return t.run == turn.run && t.round == turn.round; });
 }
 
 /// Names of the parts that the cases' numbers come from, by case number.
 using Origins = std::map<std::size_t, std::string>;
 
 void add_case(CaseState& to, const CaseState& from) {
-    std::vector<Turn> turns = std::move(to.turns);
+    std::vector<RoundTimes> turns = std::move(to.turns);
     if ((from.is_measured() && !to.is_measured()) || (!to.finished && to.failed.empty())) to = from;
-    for (const Turn& turn : from.turns)
+    for (const RoundTimes& turn : from.turns)
         if (!knows(turns, turn)) turns.push_back(turn);
     to.turns = std::move(turns);
     to.begun = 0;
@@ -49,7 +49,7 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
                                     first_name, name));
         for (const RunInfo& run : part.runs)
             if (!merged.run(run.id)) merged.runs.push_back(run);
-        for (const Turn& turn : part.base_turns)
+        for (const RoundTimes& turn : part.base_turns)
             if (!knows(merged.base_turns, turn)) merged.base_turns.push_back(turn);
         merged.notes.insert(merged.notes.end(), part.notes.begin(), part.notes.end());
         for (const auto& [number, c] : part.cases) {
@@ -71,7 +71,7 @@ std::vector<Json> missing_lines(const SweepState& known, const SweepState& more)
     std::vector<Json> lines;
     for (const RunInfo& run : more.runs)
         if (!known.run(run.id)) lines.push_back(run_line(run));
-    for (const Turn& turn : more.base_turns)
+    for (const RoundTimes& turn : more.base_turns)
         if (!knows(known.base_turns, turn)) lines.push_back(base_turn_line(turn));
     static const CaseState kNothing;
     for (const auto& [number, c] : more.cases) {
@@ -80,7 +80,7 @@ std::vector<Json> missing_lines(const SweepState& known, const SweepState& more)
         const bool nothing = !have.finished && have.failed.empty();
         if (c.is_measured() && !have.is_measured()) lines.push_back(facts_line(number, c));
         if (!c.failed.empty() && nothing) lines.push_back(failure_line(number, c.failed));
-        for (const Turn& turn : c.turns)
+        for (const RoundTimes& turn : c.turns)
             if (!knows(have.turns, turn)) lines.push_back(turn_line(number, turn));
     }
     return lines;

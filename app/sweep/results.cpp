@@ -137,7 +137,7 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     for (const auto& [number, c] : state.cases) {
         if (!c.is_measured()) continue;
         ++live;
-        for (const Turn& turn : c.turns) drawn[{turn.run, turn.round}].insert(number);
+        for (const RoundTimes& turn : c.turns) drawn[{turn.run, turn.round}].insert(number);
     }
     RankedRounds ranked;
     for (const auto& [round, cases] : drawn) {
@@ -162,14 +162,14 @@ RankedRounds ranked_rounds(const SweepState& state) {
 
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds) {
     TimeSamples samples;
-    for (const Turn& turn : c.turns)
+    for (const RoundTimes& turn : c.turns)
         if (rounds.contains({turn.run, turn.round})) samples.add(turn.samples);
     return samples;
 }
 
-ShadowSamples ranked_shadow(const std::vector<Turn>& turns, const RankedRounds& rounds) {
+ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds) {
     ShadowSamples samples;
-    for (const Turn& turn : turns)
+    for (const RoundTimes& turn : turns)
         if (rounds.contains({turn.run, turn.round})) samples.add(turn.shadow);
     return samples;
 }

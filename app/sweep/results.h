@@ -30,7 +30,7 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
 /// Collects the shadow times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
 /// @param turns timed frames of the case
-ShadowSamples ranked_shadow(const std::vector<Turn>& turns, const RankedRounds& rounds);
+ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds);
 
 /// Result of one case (combination of settings) of a sweep, measured or failed: settings, numbers and notes.
 struct SweepRow {

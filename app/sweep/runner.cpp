@@ -53,7 +53,7 @@ RunInfo SweepRunner::this_run() const {
     return run;
 }
 
-void SweepRunner::announce_run() {
+void SweepRunner::record_run() {
     if (!run_.empty()) return;
     const RunInfo run = this_run();
     journal_.add(run_line(run));
@@ -68,7 +68,7 @@ bool SweepRunner::step() {
 
 bool SweepRunner::step_facts() {
     if (next_ >= todo_.size()) return false;
-    announce_run();
+    record_run();
     const std::size_t number = todo_[next_++];
     const SweepCase& c = plan_.cases[number];
     const auto start = Clock::now();
@@ -124,13 +124,13 @@ void SweepRunner::begin_round() {
 bool SweepRunner::step_timing() {
     if (turn_ >= order_.size()) begin_round();
     if (order_.empty()) return false;
-    announce_run();
+    record_run();
     const std::size_t number = order_[turn_++];
     const bool is_base = number == kBaseCase;
     const SweepCase& c = is_base ? base_ : plan_.cases[number];
     const auto start = Clock::now();
     progress_.current = c.id;
-    Turn turn{round_, run_, {}};
+    RoundTimes turn{round_, run_, {}};
     const std::string why = why_failed([&] {
         CaseTimes times = meter_.time(c, timing_.frames, timing_.cost);
         turn.samples = std::move(times.frames);

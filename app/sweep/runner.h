@@ -9,7 +9,7 @@
 namespace si {
 
 /// Error, cost and encoded pictures of one case (combination of settings) of a sweep, after it was drawn.
-struct DrawnCase : CaseFacts {
+struct DrawnCase : CaseErrorAndCost {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
@@ -68,7 +68,7 @@ private:
     RunInfo this_run() const;
     /// Writes the description of this process (machine, driver, clock) to the sweep's journal, unless it is there
     /// already. Called before each result.
-    void announce_run();
+    void record_run();
     /// Updates the estimated seconds until the sweep ends, from the time that its steps took so far.
     void estimate();
 

@@ -31,8 +31,8 @@ Json milliseconds(const std::vector<double>& values) {
     return json_list(values, [](double v) { return std::round(v * 1e4) / 1e4; });
 }
 
-Turn turn_of(const Json& line) {
-    Turn turn;
+RoundTimes turn_of(const Json& line) {
+    RoundTimes turn;
     turn.round = line.at("round").get<int>();
     turn.run = line.at("run").get<std::string>();
     turn.samples.total_ms = line.at("total_ms").get<std::vector<double>>();
@@ -140,7 +140,7 @@ void SweepState::apply(const Json& line) {
         if (version < kSettingsVersion) spec = spec_json(spec_from_json(spec, version.get<int>()));
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {
-        Turn turn = turn_of(line);
+        RoundTimes turn = turn_of(line);
         case_of(line, "turn").turns.push_back(std::move(turn));
     } else if (line.contains("base_turn")) {
         base_turns.push_back(turn_of(line));
@@ -205,7 +205,7 @@ Json begin_line(std::size_t case_number) {
     return {{"begin", case_number}};
 }
 
-Json facts_line(std::size_t case_number, const CaseFacts& facts) {
+Json facts_line(std::size_t case_number, const CaseErrorAndCost& facts) {
     return {{"facts", case_number},
             {"error", error_json(facts.error.metrics, facts.error.noise)},
             {"cost", cost_json(facts.cost)},
@@ -220,7 +220,7 @@ Json failure_line(std::size_t case_number, const std::string& why) {
 namespace {
 
 /// Makes a line of timed frames. @param of member that tells whose they are @param number its value
-Json turn_line_of(const char* of, const Json& number, const Turn& turn) {
+Json turn_line_of(const char* of, const Json& number, const RoundTimes& turn) {
     const auto pass_json = [](const auto& pass) -> Json {
         return {{"name", pass.name}, {"gpu_ms", milliseconds(pass.gpu_ms)}, {"cpu_ms", milliseconds(pass.cpu_ms)}};
     };
@@ -240,11 +240,11 @@ Json turn_line_of(const char* of, const Json& number, const Turn& turn) {
 
 }  // namespace
 
-Json turn_line(std::size_t case_number, const Turn& turn) {
+Json turn_line(std::size_t case_number, const RoundTimes& turn) {
     return turn_line_of("turn", case_number, turn);
 }
 
-Json base_turn_line(const Turn& turn) {
+Json base_turn_line(const RoundTimes& turn) {
     return turn_line_of("base_turn", true, turn);
 }
 

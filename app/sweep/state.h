@@ -20,7 +20,7 @@ inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
 /// Times of some frames of one case (combination of settings) of a sweep, drawn in one round. A round draws every case
 /// once, so that drift affects all cases equally.
-struct Turn {
+struct RoundTimes {
     int round = 0;
     std::string run;
     TimeSamples samples;
@@ -44,7 +44,7 @@ struct CaseNumbers {
 
 /// Error and cost of one case (combination of settings) of a sweep. A repeated measurement gives the same numbers,
 /// unlike times.
-struct CaseFacts {
+struct CaseErrorAndCost {
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
@@ -52,11 +52,11 @@ struct CaseFacts {
 };
 
 /// Results of one case (combination of settings) of a sweep so far: error, cost, failures and timed frames.
-struct CaseState : CaseFacts {
+struct CaseState : CaseErrorAndCost {
     bool finished = false;  ///< error and cost are known
     std::string failed;     ///< why the case failed; empty: it did not
     int begun = 0;          ///< number of attempts that did not end (the program crashed)
-    std::vector<Turn> turns;
+    std::vector<RoundTimes> turns;
 
     /// Returns true if the case of a sweep was measured and did not fail.
     bool is_measured() const { return finished && failed.empty(); }
@@ -96,7 +96,7 @@ struct SweepState {
     std::string plan;             ///< plan_key()
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;   ///< by number in the plan
-    std::vector<Turn> base_turns;             ///< of base_case(), where it is none of the plan's cases
+    std::vector<RoundTimes> base_turns;       ///< of base_case(), where it is none of the plan's cases
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
@@ -121,14 +121,14 @@ nlohmann::ordered_json run_line(const RunInfo& run);
 /// kMaxBegins times without a result has crashed the program, and counts as failed.
 nlohmann::ordered_json begin_line(std::size_t case_number);
 /// Makes the line of a sweep's journal that records error and cost of a case.
-nlohmann::ordered_json facts_line(std::size_t case_number, const CaseFacts& facts);
+nlohmann::ordered_json facts_line(std::size_t case_number, const CaseErrorAndCost& facts);
 /// Makes the line of a sweep's journal that records that a case has failed. @param why message of the failure
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the line of a sweep's journal that records the times of some frames of a case.
-nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
+nlohmann::ordered_json turn_line(std::size_t case_number, const RoundTimes& turn);
 /// Makes the line of a sweep's journal that records the times of some frames of base_case(). The shadow times of all
 /// cases are also given as multiples of its time.
-nlohmann::ordered_json base_turn_line(const Turn& turn);
+nlohmann::ordered_json base_turn_line(const RoundTimes& turn);
 
 /// Number of crashes after which a case counts as failed.
 inline constexpr int kMaxBegins = 3;

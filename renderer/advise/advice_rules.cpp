@@ -228,11 +228,11 @@ void map_samples(const Settings& s, const AdviceFacts&, const Offer& offer) {
 }
 
 void gathers(const Settings& s, const AdviceFacts&, const Offer& offer) {
-    if (s.filter.method == FilterMethod::Automatic || cost_of(s).gathers == 0) return;
+    if (s.filter.method == FilterMethod::Automatic || kernel_cost(s).gathers == 0) return;
     Settings automatic = s;
     automatic.filter.method = FilterMethod::Automatic;
     offer(fmt::format("{} by {} texture calls a pixel; gathers give the same picture by {}", kernel_label(s),
-                      cost_of(s).sampler_taps, cost_of(automatic).gathers),
+                      kernel_cost(s).sampler_taps, kernel_cost(automatic).gathers),
           [&](Settings& changed) { changed = automatic; });
 }
 

@@ -313,7 +313,7 @@ private:
         std::string unpriced;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             const std::string& key = axes_[i].key;
-            DroppedEffect d{key, value_of(start_, key), value_of(out.best.settings, key)};
+            SettingContribution d{key, value_of(start_, key), value_of(out.best.settings, key)};
             if (d.before == d.now) continue;
             if (!price(d, out.best.settings)) {
                 unpriced += (unpriced.empty() ? "" : ", ") + key;
@@ -326,7 +326,7 @@ private:
     }
 
     /// Measures error and time of a dropped setting on the best settings. Returns false when there is no time left.
-    bool price(DroppedEffect& d, const Settings& best) const {
+    bool price(SettingContribution& d, const Settings& best) const {
         if (late()) return false;
         report_progress("the cost of " + d.key);
         Settings with = best;

@@ -45,7 +45,7 @@ struct AutopilotCase {
 
 /// Share of one setting in the autopilot's result: error and frame time of the best settings found, with this setting
 /// alone put back to its old value.
-struct DroppedEffect {
+struct SettingContribution {
     std::string key, before, now;  ///< setting with its old and new value
     double error = 0;              ///< error with the old value
     CostChange ms;                 ///< frame time that the old value adds
@@ -56,14 +56,14 @@ struct AutopilotResult {
     bool goals_met = false;
     AutopilotCase best;  ///< best measured settings within the limits, or those nearest to the limits
     MeasuredSettings before;
-    double before_ms = 0;                ///< frame time of the present settings
-    std::vector<AutopilotCase> cases;    ///< all measured combinations of settings
-    std::vector<DroppedEffect> dropped;  ///< settings that changed, as far as time allowed to measure them
-    std::size_t combinations = 0;        ///< number of combinations of the axes
-    std::vector<std::string> untried;    ///< sentences about parts of the search that were left out
-    std::string summary;                 ///< a sentence
-    double seconds = 0;                  ///< duration of the search
-    bool stopped = false;                ///< stopped before its end
+    double before_ms = 0;                      ///< frame time of the present settings
+    std::vector<AutopilotCase> cases;          ///< all measured combinations of settings
+    std::vector<SettingContribution> dropped;  ///< settings that changed, as far as time allowed to measure them
+    std::size_t combinations = 0;              ///< number of combinations of the axes
+    std::vector<std::string> untried;          ///< sentences about parts of the search that were left out
+    std::string summary;                       ///< a sentence
+    double seconds = 0;                        ///< duration of the search
+    bool stopped = false;                      ///< stopped before its end
 };
 
 /// Receives the result so far of an autopilot search, after each measured combination.

@@ -186,7 +186,7 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
     const SurfacePoint point{.position_ws = r.position_ws,
                              .geometric = r.normal_ws,
                              .bias_normal = r.normal_ws,
-                             .origin_ws = counted_from(settings, measured.camera.origin()),
+                             .origin_ws = shader_origin(settings, measured.camera.origin()),
                              .in_map = geometry.objects[r.object].casts && cull != (r.front ? Cull::Front : Cull::Back),
                              .corners_ws = geometry.triangle(r.object, r.primitive)};
     return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_size, point, driver);

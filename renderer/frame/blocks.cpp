@@ -143,10 +143,10 @@ shared::FrameBlock make_frame_block(const FrameState& f) {
     const Camera& divided = f.request.map_camera ? f.request.map_camera->camera : f.camera;
     block.divided_eye = glm::vec4(glm::vec3(divided.eye - f.origin), 0.f);
     block.divided_forward = glm::vec4(glm::vec3(-divided.axes[2]), 0.f);
-    block.map_origin = glm::vec4(glm::vec3(counted_from(f.settings, main_bounds(f.scene).centre()) - f.origin), 0.f);
+    block.map_origin = glm::vec4(glm::vec3(shader_origin(f.settings, main_bounds(f.scene).centre()) - f.origin), 0.f);
     block.picture = glm::vec4(f.request.width, f.request.height, 0, 0);
     const PolygonOffset& offset = f.driver.offset[std::size_t(f.settings.map.format)];
-    block.pixel = glm::vec4(f.pixel_origin, cost_of(f.settings).texels, 0);
+    block.pixel = glm::vec4(f.pixel_origin, kernel_cost(f.settings).texels, 0);
     block.offset = glm::vec4(offset.unit_depth, offset.unit_steps, offset.slope_gain, offset.slope_is_length ? 1 : 0);
     put_sky(f, block);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {

@@ -59,8 +59,9 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
 }
 
 bool is_acne(const CauseEvidence& e, const CauseContext& c, float enough) {
-    if (e.worth < e.least && e.raised >= enough) return true;
-    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (float(c.edge_reach_texels) + 1.f) * e.texel_m;
+    if (e.equivalent_bias < e.least && e.raised >= enough) return true;
+    return e.equivalent_bias < e.bent && e.bent_raised >= enough &&
+           e.edge_m > (float(c.edge_reach_texels) + 1.f) * e.texel_m;
 }
 
 Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
@@ -68,7 +69,7 @@ Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
     if (e.place == CauseEvidence::kInside && !dark(e.beyond_lit) && dark(e.beyond_dark))
         return {.artefact = Artefact::OutsideMap, .seam = true};
     if (is_acne(e, c, 0.5f)) return {Artefact::Acne};
-    if (!dark(e.least_bare)) return {Artefact::OffsetShadow, e.worth < e.least ? bit(Artefact::Acne) : 0};
+    if (!dark(e.least_bare)) return {Artefact::OffsetShadow, e.equivalent_bias < e.least ? bit(Artefact::Acne) : 0};
     if (!dark(e.unfiltered) || !dark(e.nearest_kept)) return {Artefact::Filter};
     if (!dark(e.nearest_bare)) return {Artefact::OffsetShadow, bit(Artefact::Filter)};
     if (e.place != CauseEvidence::kInside) return {Artefact::OutsideMap};

@@ -50,7 +50,7 @@ struct CauseEvidence {
     float visibility = 1;   ///< drawn visibility
     float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark
     float least = 0, least_nearest = 0;     ///< least depth bias of the kernel, and of one nearest tap
-    float worth = 0;                        ///< equivalent depth bias, all kinds of bias together
+    float equivalent_bias = 0;              ///< equivalent depth bias, all kinds of bias together
     float applied = 0;                      ///< shift of the compared depth towards the light
     float slack = 0;                        ///< change of the plane's depth over the kernel's reach
     float own = 0, offset = 0;              ///< constant or slope bias; equivalent depth bias of the normal offset

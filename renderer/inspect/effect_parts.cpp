@@ -120,7 +120,7 @@ std::string why_unread(const EffectFacts& f, const PassInfo& pass, std::size_t l
 }
 
 std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
-    int texels = cost_of(f.settings).texels;
+    int texels = kernel_cost(f.settings).texels;
     if (keeps_mips(f.settings))
         return fmt::format("kernel {} fetches {} texels per look-up and mip level", f.kernel(), texels);
     if (search_of(f.filter()) == Search::Places && skips_blocker_search(f, light) &&

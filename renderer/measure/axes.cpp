@@ -134,7 +134,7 @@ std::vector<std::pair<std::string, std::string>> SweepCase::sets() const {
     return all;
 }
 
-void hold_assigned(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys) {
+void protect_assigned_settings(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys) {
     for (SweepAxis& axis : axes)
         for (const std::string& key : keys_with_starting_values(*find_setting(axis.key)))
             if (assigned_keys.contains(key)) axis.held.insert(key);

@@ -27,7 +27,7 @@ SweepAxis parse_axis(std::string_view text);
 /// Protects settings that the sweep's own --set names from starting values. A bias.kind on an axis then does not
 /// replace the assigned values by its starting values (SweepAxis::held).
 /// @param assigned_keys keys of the settings that --set names
-void hold_assigned(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys);
+void protect_assigned_settings(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys);
 
 /// Case of a sweep: one combination of the axes' values, with the complete settings to measure.
 struct SweepCase {

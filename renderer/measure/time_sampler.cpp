@@ -143,7 +143,7 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 
 WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     WorkCost cost;
-    cost.taps_per_pixel = cost_of(settings).texels;
+    cost.taps_per_pixel = kernel_cost(settings).texels;
     const std::uint64_t texels = std::uint64_t(frame.map_size.width) * std::uint64_t(frame.map_size.height);
     std::uint64_t casting = 0;
     for (const FittedLight& light : frame.lights) {

@@ -36,7 +36,7 @@ constexpr double kBoundsMargin = 1e-6;
 
 /// Returns the texture calls of a look-up.
 int calls_of(const FrameState& f) {
-    const FilterCost cost = cost_of(f.settings);
+    const FilterCost cost = kernel_cost(f.settings);
     return cost.gathers > 0 && !f.filter_sampler ? cost.gathers : cost.sampler_taps;
 }
 
@@ -63,7 +63,7 @@ constexpr std::size_t kMaxUnrolledTaps = 32;
 
 }  // namespace
 
-int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
+int kernel_reach_cells(const FrameState& f, const FittedLight& light) {
     // Texel centres that are read, half a texel around them, and rounding.
     const double texels = std::ceil(kernel_reach_in_light(f.settings, light, f.map_size).read + 0.5 + 1e-3);
     return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_size.longest())));
@@ -96,18 +96,18 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
             {"SKIPS_UNLIT", unless_forced(f, Optimisation::BackFacingReceivers)}};
 }
 
-void define_kernel_taps(FrameState& f, bool asks_bounds) {
+void define_kernel_taps(FrameState& f, bool tests_bounds) {
     const Filter& row = filter_of(f.settings);
     const std::pair<const char*, std::vector<glm::vec2>> lists[] = {
         {"TAP", disk_points(row, f.settings, f.settings.filter.taps)},
         {"BLOCKER", disk_points(row, f.settings, f.settings.filter.blocker_taps)},
         {"RAY", spiral_places(f.settings.filter.rays)}};
     // CPU rasterisers run both sides of a branch, but leave loops early.
-    const bool keeps_loops = asks_bounds && f.driver.software;
+    const bool keeps_loops = tests_bounds && f.driver.software;
     const bool from_image = f.blocks_as_images() && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
                                                          return list.second.size() > kMaxUnrolledTaps;
                                                      }));
-    f.defines.push_back({"MAP_BOUNDS", asks_bounds ? "1" : "0"});
+    f.defines.push_back({"MAP_BOUNDS", tests_bounds ? "1" : "0"});
     f.defines.push_back({"KEEPS_LOOPS", keeps_loops ? "1" : "0"});
     f.defines.push_back({"DISK_FROM_IMAGE", from_image ? "1" : "0"});
     f.defines.push_back({"DISK_CONSTANTS", std::to_string(kDiskTable)});

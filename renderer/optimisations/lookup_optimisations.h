@@ -22,12 +22,12 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 
 /// Adds the shader defines for the taps of the filter kernel to the frame (FrameState::defines). Taps are unrolled with
 /// constant positions, or run in loops that a look-up can leave early.
-/// @param asks_bounds true: look-ups test the maps' depth bounds before they fetch taps
-void define_kernel_taps(FrameState& f, bool asks_bounds);
+/// @param tests_bounds true: look-ups test the maps' depth bounds before they fetch taps
+void define_kernel_taps(FrameState& f, bool tests_bounds);
 
 /// Returns how many map cells (kBoundsCell texels wide) beyond a block of texels a kernel centred in the block may
 /// read, under one light. The depth bounds of the block include that many cells at each side.
-int bounds_reach_cells(const FrameState& f, const FittedLight& light);
+int kernel_reach_cells(const FrameState& f, const FittedLight& light);
 
 /// Texels a side of a block, for which one pair of depth bounds is stored.
 inline constexpr int kBoundsBlock = 16;

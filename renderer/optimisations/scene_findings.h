@@ -35,7 +35,7 @@ struct CameraMapReads {
 /// Cache of mesh boxes and of the parts of the scene that the camera sees, each computed on first use. Each renderer
 /// has one (Resources::found).
 struct SceneFindings {
-    OfMeshes<MeshBoxes> boxes;
+    PerMeshCache<MeshBoxes> boxes;
     CameraMapReads seen;          ///< map cells read
     VisibleObjects seen_objects;  ///< draw order of the picture
 };

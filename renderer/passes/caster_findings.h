@@ -41,19 +41,19 @@ struct RigidMeshKeys {
 /// Cache of the content keys (hashes) of casters and textures that earlier frames computed.
 struct CasterContentCache {
     /// Texture with the cached hash of its pixels. The hash is part of the cache keys of casters with alpha masks.
-    struct OfTexture {
+    struct TextureContent {
         TextureIdentity texture;
         std::uint64_t content = 0;  ///< 0: not computed yet
     };
     CasterContent casters;
-    std::vector<OfTexture> textures;
+    std::vector<TextureContent> textures;
 };
 
 /// Cache of facts about casters: flat sides of meshes, and keys (hashes) of their content. Each is computed when first
 /// needed. Each renderer has one (Resources::caster_findings).
 struct CasterFindings {
-    OfMeshes<std::optional<MeshSides>> sides;
-    OfMeshes<RigidMeshKeys> rigid_content;
+    PerMeshCache<std::optional<MeshSides>> sides;
+    PerMeshCache<RigidMeshKeys> rigid_content;
     CasterContentCache content;
 };
 

@@ -29,7 +29,7 @@ void MapBoundsPass::run(const FrameState& f, PassInfo& info) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         if (!light.casts) continue;
-        const int reach = bounds_reach_cells(f, light);
+        const int reach = kernel_reach_cells(f, light);
         for (int layer = f.first_view[i]; layer < f.first_view[i] + int(light.views.size()); ++layer) {
             if (f.drawn_cells_by_layer[std::size_t(layer)].empty()) continue;
             draw_step(f, t.cells, -1, 0, layer, reach, info);
@@ -60,7 +60,7 @@ void MapBoundsPass::declare(FrameState& f) {
     f.plan.place_result(Result::MapBounds, {&targets_.bounds, shared::UNIT_MAP_BOUNDS});
     Key key;
     key.add(f.settings.map.wrap).add(f.gl.programs.source().generation()).add(f.maps_extent);
-    for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? bounds_reach_cells(f, light) : 0);
+    for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? kernel_reach_cells(f, light) : 0);
     pass.key = key.value();
     pass.cached = &targets_.bounds.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };

@@ -39,7 +39,7 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
     };
     const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
     for (std::size_t i = 0; i < n; ++i) {
-        const ReferencePixel t = true_pixel(reference, i);
+        const ReferencePixel t = reference_pixel(reference, i);
         pixels[i] = {reference.visibility.data[i], metres(reference.nearest_m, i), float(reference.state[i]),
                      float(t.noise)};
         more[i] = {metres(reference.blocker_m, i), reference.hard().data[i], finite(traced.runs->edge_m.data[i]),

@@ -74,7 +74,7 @@ public:
     EngineOutput(const EngineProfile& profile, WrittenValues& to, const MapFacts& facts)
         : profile_(profile), to_(to), facts_(facts) {}
     /// Adds a number of the bias, clamped to the range that the engine accepts, with a note when that changes it.
-    /// @param texels equivalent depth bias of the number @param literal see WrittenParameter::literal
+    /// @param texels equivalent depth bias of the number @param literal see ConvertedParameter::literal
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
     /// Adds the value of an engine's normal offset parameter, which moves the look-up by its whole length at any angle.

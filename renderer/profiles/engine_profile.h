@@ -84,14 +84,14 @@ struct LackingSetting {
 using EngineValues = std::map<std::string, double, std::less<>>;
 
 /// Setting of this program, with the value to which an engine's parameters were converted.
-struct ReadSetting {
+struct ConvertedSetting {
     std::string key, value;  ///< as for set_setting()
     Exactness exactness = Exactness::Exact;
     std::string note;
 };
 
 /// Parameter of an engine, with the value to which this program's settings were converted.
-struct WrittenParameter {
+struct ConvertedParameter {
     const EngineParameter* parameter = nullptr;
     double value = 0;  ///< in the engine's unit; for choices the index
     Exactness exactness = Exactness::Exact;
@@ -109,7 +109,7 @@ struct MissingSetting {
 
 /// Result of converting this program's settings to the parameters of an engine.
 struct WrittenValues {
-    std::vector<WrittenParameter> parameters;
+    std::vector<ConvertedParameter> parameters;
     std::vector<MissingSetting> missing;
     std::vector<std::string> notes;
     double wanted_texels = 0;  ///< equivalent depth bias of the settings at the reference angle
@@ -118,7 +118,7 @@ struct WrittenValues {
 
     /// Returns the converted parameter of the engine with this key (EngineParameter::key); null if the settings give it
     /// no value.
-    const WrittenParameter* find(std::string_view key) const;
+    const ConvertedParameter* find(std::string_view key) const;
     /// Returns the converted values by parameter key, as read_engine_values() takes them. Parameters without a
     /// counterpart are left out.
     EngineValues values() const;
@@ -173,8 +173,8 @@ std::string engine_value_text(const EngineParameter& parameter, double value);
 /// Converts parameter values of an engine to settings of this program. The bias is always converted, with defaults for
 /// absent values; other parameters only where a value is given.
 /// @throws Error for facts or values that are not finite or out of range
-std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
-                                            const MapFacts& facts);
+std::vector<ConvertedSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
+                                                 const MapFacts& facts);
 /// Converts this program's settings into parameters of the engine. Settings that a profile has forced count as asked
 /// for. The bias is converted so that the equivalent depth bias at the reference angle is equal, hidden bias included,
 /// and never below 0.

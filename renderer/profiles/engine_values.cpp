@@ -81,7 +81,7 @@ void require_sound(const EngineProfile& profile, const EngineValues& values) {
 
 /// Adds the settings of parameters that are a setting of ours in another unit, or a choice.
 void read_direct(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts,
-                 std::vector<ReadSetting>& out) {
+                 std::vector<ConvertedSetting>& out) {
     for (const auto& [key, value] : values) {
         const EngineParameter& parameter = engine_parameter(profile, key);
         if (!parameter.choices.empty()) {
@@ -95,12 +95,12 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
             const double fitting = std::clamp(number, ref->param->min, ref->param->max);
             const bool is_whole = std::holds_alternative<int>(get_value(Settings{}, *ref));
             const bool is_switch = std::holds_alternative<bool>(get_value(Settings{}, *ref));
-            ReadSetting setting{std::string(parameter.setting),
-                                is_switch  ? (fitting != 0 ? "true" : "false")
-                                : is_whole ? fmt::format("{}", int(std::lround(fitting)))
-                                           : setting_number_text(fitting),
-                                Exactness::Exact,
-                                {}};
+            ConvertedSetting setting{std::string(parameter.setting),
+                                     is_switch  ? (fitting != 0 ? "true" : "false")
+                                     : is_whole ? fmt::format("{}", int(std::lround(fitting)))
+                                                : setting_number_text(fitting),
+                                     Exactness::Exact,
+                                     {}};
             if (fitting != number) setting.note = fmt::format("{:g} is outside of the range of this setting", number);
             out.push_back(std::move(setting));
         }
@@ -108,7 +108,7 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
 }
 
 /// Adds the bias settings of a bias in the terms that engines share.
-void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
+void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vector<ConvertedSetting>& out) {
     out.push_back({"bias.kind", "constant", Exactness::Exact, {}});
     const auto put_choice = [&](const char* key, auto choice) {
         out.push_back({key, value_text(*find_setting(key)->param, int(choice)), Exactness::Exact, {}});
@@ -176,14 +176,14 @@ void write_direct(const EngineProfile& profile, const Settings& settings, const 
 
 }  // namespace
 
-const WrittenParameter* WrittenValues::find(std::string_view key) const {
+const ConvertedParameter* WrittenValues::find(std::string_view key) const {
     const auto found = std::ranges::find_if(parameters, [&](const auto& p) { return p.parameter->key == key; });
     return found == parameters.end() ? nullptr : &*found;
 }
 
 EngineValues WrittenValues::values() const {
     EngineValues out;
-    for (const WrittenParameter& p : parameters)
+    for (const ConvertedParameter& p : parameters)
         if (p.exactness != Exactness::Missing) out[std::string(p.parameter->key)] = p.value;
     return out;
 }
@@ -266,11 +266,11 @@ std::string engine_value_text(const EngineParameter& parameter, double value) {
     return fmt::format("{:.6g}", value);
 }
 
-std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
-                                            const MapFacts& facts) {
+std::vector<ConvertedSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
+                                                 const MapFacts& facts) {
     require_sound(facts);
     require_sound(profile, values);
-    std::vector<ReadSetting> out;
+    std::vector<ConvertedSetting> out;
     read_direct(profile, values, facts, out);
     if (profile.read_bias) read_shared_bias(profile.read_bias(profile, values, facts), facts, out);
     return out;
@@ -292,7 +292,7 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
         out.wanted_texels = bias.total_texels(facts);
         EngineOutput to(profile, out, facts);
         profile.write_bias(bias, values, facts, to);
-        for (WrittenParameter& p : out.parameters) {
+        for (ConvertedParameter& p : out.parameters) {
             const bool is_converted = bias.settings_by != OffsetBy::Length && bias.settings_by != profile.normal_by;
             if (p.parameter->setting == "bias.normal" && bias.normal_texels != 0 && is_converted)
                 p.exactness = least_exact(p.exactness, Exactness::EqualAtAngle);
@@ -302,7 +302,7 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
         out.hidden_texels = profile.hidden_texels ? profile.hidden_texels(profile, values, facts) : 0;
         out.given_texels += out.hidden_texels;
     }
-    for (WrittenParameter& p : out.parameters)
+    for (ConvertedParameter& p : out.parameters)
         if (!p.parameter->is_bias) p.literal = p.value;
     for (const LackingSetting& row : profile.lacking)
         if (lacking_setting(profile, settings, row.key) == &row &&

@@ -11,16 +11,16 @@
 
 namespace si {
 
-std::vector<WrittenParameter> EngineWording::changed(
+std::vector<ConvertedParameter> EngineWording::changed(
     std::span<const std::pair<std::string, std::string>> changes) const {
-    std::vector<WrittenParameter> out;
+    std::vector<ConvertedParameter> out;
     if (!profile || !profile->write_bias) return out;
     Settings after = settings;
     set_settings(after, changes);
     const WrittenValues before = write_engine_values(*profile, settings, facts);
-    for (const WrittenParameter& now : write_engine_values(*profile, after, facts).parameters) {
+    for (const ConvertedParameter& now : write_engine_values(*profile, after, facts).parameters) {
         if (!now.parameter->is_bias) continue;
-        const WrittenParameter* old = before.find(now.parameter->key);
+        const ConvertedParameter* old = before.find(now.parameter->key);
         constexpr double kShownDigits = 1e-3;
         if (!old || std::abs(old->value - now.value) > kShownDigits * std::abs(now.value)) out.push_back(now);
     }
@@ -29,7 +29,7 @@ std::vector<WrittenParameter> EngineWording::changed(
 
 std::string EngineWording::text(std::span<const std::pair<std::string, std::string>> changes) const {
     std::string out;
-    for (const WrittenParameter& p : changed(changes))
+    for (const ConvertedParameter& p : changed(changes))
         out += fmt::format(
             "{}{} to {:.2g}{}", out.empty() ? "set " : ", ", p.parameter->key, p.value,
             p.exactness == Exactness::EqualAtAngle ? fmt::format(" (equal at {:g} degrees)", facts.angle_deg) : "");
@@ -48,7 +48,7 @@ bool engine_name_matches(const SettingRef& ref, std::string_view text) {
 double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
     if (!profile.read_bias) throw Error(fmt::format("{}: no conversion is known", profile.name));
     Settings settings;
-    for (const ReadSetting& setting : read_engine_values(profile, values, facts))
+    for (const ConvertedSetting& setting : read_engine_values(profile, values, facts))
         set_setting(settings, setting.key, setting.value);
     return bias_numbers(settings, facts).total_texels(facts);
 }

@@ -20,7 +20,7 @@ struct EngineWording {
 
     /// Returns the engine's bias parameters that get another value when some settings change, with the new values.
     /// @param changes pairs of setting key and new value
-    std::vector<WrittenParameter> changed(std::span<const std::pair<std::string, std::string>> changes) const;
+    std::vector<ConvertedParameter> changed(std::span<const std::pair<std::string, std::string>> changes) const;
     /// Formats the change of the engine's bias parameters that follows from changed settings: "in three.js: set
     /// normalBias to 0.0098". Empty if no parameter changes.
     /// @param changes pairs of setting key and new value

@@ -392,7 +392,7 @@ std::uint32_t compared_bits(float v, const ReferencePixel& reference, bool outsi
     return bits;
 }
 
-ReferencePixel true_pixel(const Reference& reference, std::size_t i) {
+ReferencePixel reference_pixel(const Reference& reference, std::size_t i) {
     ReferencePixel p{
         .visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
     if (reference.is_area()) p.noise = reference.standard_error.data[i];

@@ -47,7 +47,7 @@ std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, b
 
 /// Returns one pixel of a ray-traced reference in the form that compared_bits() takes.
 /// @param i index of the pixel, top row first
-ReferencePixel true_pixel(const Reference& reference, std::size_t i);
+ReferencePixel reference_pixel(const Reference& reference, std::size_t i);
 
 /// Decodes the class of each pixel, with the cause of its error, from the image FrameResult::classified, read back from
 /// the GPU.

@@ -622,7 +622,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
 
     if (f.settings.camera.source == CameraSource::Light && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
-    f.origin = counted_from(f.settings, f.camera.origin());
+    f.origin = shader_origin(f.settings, f.camera.origin());
     if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->adopt_if_compatible(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->update_batches(scene, f.settings);

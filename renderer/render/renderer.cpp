@@ -197,7 +197,7 @@ void Renderer::release_unused_memory() {
 std::string Renderer::shader_log() const {
     return impl_->resources.programs.log();
 }
-bool Renderer::shaders_changed() {
+bool Renderer::reload_changed_shaders() {
     return impl_->resources.programs.source().poll();
 }
 

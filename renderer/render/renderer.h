@@ -81,7 +81,7 @@ public:
     std::string shader_log() const;
     /// Reads shader files again that were saved since the last call (development builds). Returns true when there were
     /// any: the picture must be drawn again.
-    bool shaders_changed();
+    bool reload_changed_shaders();
 
 private:
     std::unique_ptr<RendererImpl> impl_;

@@ -11,7 +11,7 @@ namespace si {
 /// Cache of one value per mesh of a scene. A value stays while the mesh's arrays stay the same, also in another scene
 /// state.
 template <typename T>
-class OfMeshes {
+class PerMeshCache {
 public:
     /// Returns the cached data of a mesh. The data is reset when the mesh's content or the scene has changed.
     T& of(const Scene& scene, std::size_t mesh) {

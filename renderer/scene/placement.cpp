@@ -18,7 +18,7 @@ bool is_length(const Settings& settings, const SettingRef& ref) {
 
 }  // namespace
 
-glm::dvec3 way_of(PlacedAlong along) {
+glm::dvec3 placement_direction(PlacedAlong along) {
     if (along == PlacedAlong::Aslant) return glm::normalize(glm::dvec3(2, 1, 5));
     return glm::dmat3(1)[index_of(along) - index_of(PlacedAlong::X)];
 }
@@ -27,7 +27,7 @@ glm::dmat4 placement_of(const SceneSettings& settings) {
     const double scale = std::clamp(finite_or(settings.scale, 1), 1e-3, 1e6);
     const double distance = std::clamp(finite_or(settings.distance, 0), 0.0, 1e7);
     glm::dmat4 out(scale);
-    out[3] = glm::dvec4(distance * way_of(settings.direction), 1);
+    out[3] = glm::dvec4(distance * placement_direction(settings.direction), 1);
     return out;
 }
 
@@ -49,7 +49,7 @@ void carry_settings(Settings& settings, const SceneSettings& from, const SceneSe
     camera.target_z = target.z + now[3].z;
 }
 
-glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby) {
+glm::dvec3 shader_origin(const Settings& settings, const glm::dvec3& nearby) {
     return settings.map.origin == MapOrigin::World ? glm::dvec3(0) : nearby;
 }
 

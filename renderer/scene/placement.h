@@ -8,7 +8,7 @@
 namespace si {
 
 /// Returns the unit vector in world space for a choice of scene.direction.
-glm::dvec3 way_of(PlacedAlong along);
+glm::dvec3 placement_direction(PlacedAlong along);
 
 /// Returns the transform that places a scene in the world by the settings scene.scale, distance and direction
 /// (Scene::placement): a scale about the world's origin, then a translation.
@@ -22,7 +22,7 @@ void carry_settings(Settings& settings, const SceneSettings& from, const SceneSe
 /// Returns the origin relative to which shaders compute positions, to limit float rounding: the world's origin if
 /// map.origin is `world`, else `nearby`.
 /// @param nearby a point close to the positions, world space
-glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby);
+glm::dvec3 shader_origin(const Settings& settings, const glm::dvec3& nearby);
 
 /// Returns true when two scene settings place the scene by the same transform (scene.distance, direction, scale).
 bool same_placement(const SceneSettings& a, const SceneSettings& b);

@@ -119,7 +119,7 @@ void keep_one_of_each_kind(const Scene& from, const Settings& settings, Scene& t
 
 }  // namespace
 
-Scene stand_in(const Scene& scene, const Settings& settings) {
+Scene make_proxy_scene(const Scene& scene, const Settings& settings) {
     const bool small = scene.objects.size() <= kSmallObjects && scene.triangle_count() <= kSmallTriangles;
     Scene out;
     out.name = scene.name;

@@ -10,6 +10,6 @@ namespace si {
 /// warm-up). It keeps the outermost objects and one object of each kind (by material, vertex attributes and object
 /// settings). It keeps few of their triangles, and a few texels of each texture. Cameras and lights are those of
 /// `scene`, and its bounds are nearly kept. A small scene keeps all its triangles.
-Scene stand_in(const Scene& scene, const Settings& settings);
+Scene make_proxy_scene(const Scene& scene, const Settings& settings);
 
 }  // namespace si

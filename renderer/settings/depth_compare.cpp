@@ -17,7 +17,7 @@ bool uses_sampler(const Settings& settings) {
     return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
 }
 
-FilterCost cost_of(const Settings& settings) {
+FilterCost kernel_cost(const Settings& settings) {
     const Filter& row = filter_of(settings);
     FilterCost cost = row.cost(row, settings);
     if (cost.gathers > 0 && !uses_sampler(settings)) cost.texels = 4 * cost.gathers;

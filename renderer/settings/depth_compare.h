@@ -17,6 +17,6 @@ bool uses_sampler(const Settings& settings);
 
 /// Returns the texture calls and fetched texels of the chosen kernel for one light and one lit pixel. They depend on
 /// the comparison method in use (gathers or shadow sampler).
-FilterCost cost_of(const Settings& settings);
+FilterCost kernel_cost(const Settings& settings);
 
 }  // namespace si

@@ -53,7 +53,7 @@ struct StoredMoments {
 struct FilterCost {
     int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
     int sampler_taps = 1;  ///< texture calls with the other methods
-    int texels = 1;        ///< texels fetched by the sampler; from cost_of(): by the method in use
+    int texels = 1;        ///< texels fetched by the sampler; from kernel_cost(): by the method in use
 };
 
 /// Largest error of visibility against the reference that tests allow a kernel, and the reason. It holds at pixels with

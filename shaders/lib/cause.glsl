@@ -61,7 +61,7 @@ Cause cause_of_false_light(Evidence e, int place) {
 
 /// Returns true when more bias makes the pixel at least `enough` lit, without a true shadow edge as the reason.
 bool is_acne(Evidence e, float enough) {
-    return e.worth < e.most && e.most_raised >= enough;
+    return e.equivalent_bias < e.most && e.most_raised >= enough;
 }
 
 Cause cause_of_false_shadow(Evidence e, int place) {
@@ -69,7 +69,7 @@ Cause cause_of_false_shadow(Evidence e, int place) {
     if (place == PLACE_INSIDE && e.beyond_lit >= 0.5 && e.beyond_dark < 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int acne = 1 << ARTEFACT_ACNE, filtered = 1 << ARTEFACT_FILTER;
     if (is_acne(e, 0.5)) return cause(ARTEFACT_ACNE, 0);
-    if (e.least_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, e.worth < e.least ? acne : 0);
+    if (e.least_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, e.equivalent_bias < e.least ? acne : 0);
     if (e.unfiltered >= 0.5 || e.nearest_kept >= 0.5) return cause(ARTEFACT_FILTER, 0);
     if (e.nearest_bare >= 0.5) return cause(ARTEFACT_OFFSET_SHADOW, filtered);
     if (place != PLACE_INSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);

@@ -17,7 +17,7 @@ struct Evidence {
     // Depths: least bias of the chosen kernel, and of one nearest tap; equivalent depth bias of all bias; shift of the
     // compared depth; depth change of the plane over the kernel's reach; constant or slope bias; equivalent depth bias of
     // the normal offset.
-    float least, least_nearest, worth, applied, slack, own, offset;
+    float least, least_nearest, equivalent_bias, applied, slack, own, offset;
     float bent;       // bias of the trial for surfaces that rise next to the plane
     float most;       // `bent` if no true edge is in the kernel's reach, else `least`
     float far;        // bias of the trial for distant casters
@@ -112,8 +112,8 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     e.slack = reach * per_texel;
     e.own = r.bias_depth;
     e.offset = away_from_light(r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy) - r.uvd_offset.z);
-    e.worth = equivalent_depth_bias(r, gradient);
-    float raster = e.worth - e.offset - e.own;
+    e.equivalent_bias = equivalent_depth_bias(r, gradient);
+    float raster = e.equivalent_bias - e.offset - e.own;
     e.applied = away_from_light(r.uvd.z - r.reference) + raster;
     float reach_depth = depth_change_towards_light(r, r.z, reach * r.texel_m);
     e.bent = 2.0 * whole + reach_depth;
@@ -143,9 +143,9 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
 #endif
 #endif
 #if FOR_FALSE_SHADOW
-    int raised = queue_trial(r, e.own + max(e.least - e.worth, 0.0), OFFSET, as_drawn);
-    int bent_raised = queue_trial(r, e.own + max(e.bent - e.worth, 0.0), OFFSET, as_drawn);
-    int most_raised = queue_trial(r, e.own + max(e.most - e.worth, 0.0), OFFSET, as_drawn);
+    int raised = queue_trial(r, e.own + max(e.least - e.equivalent_bias, 0.0), OFFSET, as_drawn);
+    int bent_raised = queue_trial(r, e.own + max(e.bent - e.equivalent_bias, 0.0), OFFSET, as_drawn);
+    int most_raised = queue_trial(r, e.own + max(e.most - e.equivalent_bias, 0.0), OFFSET, as_drawn);
 #endif
 #if UNFILTERED_DIFFERS
     int unfiltered = queue_trial(r, e.own, OFFSET + UNFILTERED, as_drawn);

@@ -15,10 +15,10 @@ layout(location = 7) out vec4 out_7;
 
 /// Returns the least equivalent depth bias at which the pixel is lit, at most Evidence::bent.
 float curing_bias(Receiver r, Evidence e) {
-    float lo = e.worth, hi = max(e.bent, e.worth);
+    float lo = e.equivalent_bias, hi = max(e.bent, e.equivalent_bias);
     for (int i = 0; i < opaque_count(12); ++i) {
         float middle = 0.5 * (lo + hi);
-        if (trial_visibility(r, true, e.own + middle - e.worth) >= 0.5)
+        if (trial_visibility(r, true, e.own + middle - e.equivalent_bias) >= 0.5)
             hi = middle;
         else
             lo = middle;
@@ -39,7 +39,7 @@ void main() {
 #endif
     Evidence e = gather_evidence(r, v, reference, more);
     out_0 = vec4(float(place_in_map(r)), v, e.beyond_lit, e.beyond_dark);
-    out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
+    out_1 = vec4(e.least, e.least_nearest, e.equivalent_bias, e.applied);
     out_2 = vec4(e.slack, e.own, e.offset, e.texel_m);
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
     out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);

@@ -65,14 +65,15 @@ protected:
         std::size_t differ = 0;
         for (std::size_t i = 0; i < reference.state.size(); ++i) {
             if (reference.state[i] != PixelState::Counted) continue;
-            const Cause cause = cause_of(evidence[i], true_pixel(reference, i), known);
+            const Cause cause = cause_of(evidence[i], reference_pixel(reference, i), known);
             const ClassifiedPixel& p = gpu.classified[i];
             const bool acne = cause.faint || (cause.artefact == Artefact::Acne && reference.visibility.data[i] == 1);
             const bool same =
                 cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(ClassifiedPixel::kSeam) &&
                 acne == p.has(ClassifiedPixel::kAnyAcne) &&
                 (p.bits & ~(ClassifiedPixel::kAnyAcne | ClassifiedPixel::kSeam)) % (1 << ClassifiedPixel::kAlsoShift) ==
-                    compared_bits(p.visibility, true_pixel(reference, i), evidence[i].place == CauseEvidence::kOutside);
+                    compared_bits(p.visibility, reference_pixel(reference, i),
+                                  evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
                 ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here "
                               << name(cause.artefact) << ", also " << p.also() << " and " << cause.also << ", bits "

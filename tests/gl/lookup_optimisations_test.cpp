@@ -94,7 +94,7 @@ TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
         s.camera.distance = 2;  // well inside the floor's edges
         s.filter.taps = s.filter.blocker_taps = 64;
         s.lights[0].size = 0.2;
-        const FilterCost cost = cost_of(s);
+        const FilterCost cost = kernel_cost(s);
         const bool searches = std::string_view(kernel) == "pcss";  // a search ends where it finds no blocker
         expect_taps(scene, s, {Optimisation::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
         expect_taps(scene, s, {}, 0, kernel);
@@ -142,7 +142,7 @@ TEST_F(LookupOptimisationsTest, ABlockerSearchWithoutPenumbraReadsOnce) {
 TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     const Scene scene = bare_floor();
     Settings s = floor_settings("pcf3");
-    const float all = float(cost_of(s).texels);
+    const float all = float(kernel_cost(s).texels);
     s.lights[0].elevation = -30;  // from below
     expect_taps(scene, s, {}, 0, "turned away");
     s = floor_settings("pcf3");

@@ -22,7 +22,7 @@ TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene, {"filter.kernel=pcf3"});
-        const Scene small = stand_in(scene, s);
+        const Scene small = make_proxy_scene(scene, s);
         EXPECT_LT(glm::distance(small.bounds.lo, scene.bounds.lo), 0.05 * scene.bounds.radius()) << name;
         EXPECT_LT(glm::distance(small.bounds.hi, scene.bounds.hi), 0.05 * scene.bounds.radius()) << name;
         EXPECT_LE(small.triangle_count(), std::max<std::size_t>(scene.triangle_count(), 20000)) << name;
@@ -45,7 +45,7 @@ TEST_F(ProxySceneTest, IsSmallAndKeepsEachKindOfObject) {
         scene.objects.push_back(o);
     }
     finalise(scene);
-    const Scene small = stand_in(scene, {});
+    const Scene small = make_proxy_scene(scene, {});
     EXPECT_LT(small.triangle_count(), 20000u);
     EXPECT_LT(small.objects.size(), 10u);
     bool masked = false, mirrored = false;
@@ -62,7 +62,7 @@ TEST_F(ProxySceneTest, IsSmallAndKeepsEachKindOfObject) {
 TEST_F(ProxySceneTest, ExistsForAnEmptyScene) {
     Scene nothing;
     finalise(nothing);
-    EXPECT_TRUE(stand_in(nothing, {}).objects.empty());
+    EXPECT_TRUE(make_proxy_scene(nothing, {}).objects.empty());
 }
 
 }  // namespace

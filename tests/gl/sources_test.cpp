@@ -250,7 +250,7 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
             const Reference t = reference(scene, s, 0);
             std::size_t dark = 0, penumbra = 0;
             for (std::size_t i = 0; i < t.state.size(); ++i) {
-                if (t.state[i] != PixelState::Counted || !is_wrong(1, true_pixel(t, i))) continue;
+                if (t.state[i] != PixelState::Counted || !is_wrong(1, reference_pixel(t, i))) continue;
                 ++dark;
                 penumbra += t.hard().data[i] >= 0.5f;
             }

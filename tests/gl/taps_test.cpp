@@ -162,7 +162,7 @@ TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
             s.filter.size = size;
             s.filter.bilinear = true;
             const int pairs = taps_across(filter_of(s), s) / 2 + 1;
-            EXPECT_EQ(cost_of(s).sampler_taps, pairs * pairs) << kernel << " " << size;
+            EXPECT_EQ(kernel_cost(s).sampler_taps, pairs * pairs) << kernel << " " << size;
             std::vector<FloatImage> pictures;
             for (const char* method : {"gather", "sampler"}) {
                 set_setting(s, "filter.method", method);

@@ -229,8 +229,8 @@ const std::map<std::string, double (*)(S, G)> kOfOne = {
     {"first_split_m", [](S, G g) { return spans_of(g).at(0).ends; }},
     {"nearest_surface_m", [](S, G g) { return g.shot.frame.seen_m.value().from_m; }},
     // Costs, pages, notes
-    {"sampler_taps", [](S, G g) { return double(cost_of(g.settings).sampler_taps); }},
-    {"texels_read", [](S, G g) { return double(cost_of(g.settings).texels); }},
+    {"sampler_taps", [](S, G g) { return double(kernel_cost(g.settings).sampler_taps); }},
+    {"texels_read", [](S, G g) { return double(kernel_cost(g.settings).texels); }},
     {"pages_drawn", [](S, G g) { return double(g.classification().pages.value().drawn); }},
     {"pages_coarser", [](S, G g) { return double(g.classification().pages.value().coarser); }},
     {"page_texels_drawn", [](S, G g) { return double(g.classification().pages.value().drawn_texels()); }},

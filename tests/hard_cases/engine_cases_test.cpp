@@ -57,7 +57,7 @@ struct EnginePlane {
     /// Returns the share of the plane's pixels that are dark under an engine's numbers, read for the drawn map.
     double dark_share(const WrittenValues& numbers) const {
         Settings s = settings;
-        for (const ReadSetting& setting : read_engine_values(profile, numbers.values(), facts))
+        for (const ConvertedSetting& setting : read_engine_values(profile, numbers.values(), facts))
             if (setting.key.starts_with("bias.")) set_setting(s, setting.key, setting.value);
         const Shot shot = draw_shot(plane.scene, s, kEngineWidth, kEngineHeight);
         const auto dark = std::ranges::count_if(shot.visibility.data, [](float v) { return v < 1 - 1e-3f; });
@@ -67,7 +67,7 @@ struct EnginePlane {
 
 /// Returns true when the engine accepts no number that is large enough, and the conversion says so.
 bool is_out_of_range(const WrittenValues& numbers) {
-    return std::ranges::any_of(numbers.parameters, [](const WrittenParameter& p) {
+    return std::ranges::any_of(numbers.parameters, [](const ConvertedParameter& p) {
         return p.parameter->is_bias && p.note.find("outside of the engine's range") != std::string::npos;
     });
 }
@@ -75,7 +75,7 @@ bool is_out_of_range(const WrittenValues& numbers) {
 /// Returns the factor of a bias that a plane tilted along the diagonal of the map needs under a polygon offset, which
 /// counts the larger of both slopes alone.
 double diagonal_factor(const EngineProfile& profile, const WrittenValues& numbers, double around_deg) {
-    const bool by_offset = std::ranges::any_of(numbers.parameters, [](const WrittenParameter& p) {
+    const bool by_offset = std::ranges::any_of(numbers.parameters, [](const ConvertedParameter& p) {
         return p.parameter->is_bias && p.texels != 0 && p.parameter->setting.starts_with("bias.raster");
     });
     return around_deg != 0 && (by_offset || profile.hidden_texels) ? std::numbers::sqrt2 : 1;
@@ -123,7 +123,7 @@ TEST_P(HardCase47, AGrazedPlaneNeedsTheNumberOfItsAngle) {
         }
         // A number that grows with the angle suits both; the others do not.
         const WrittenValues at_45 = steep.written(needed_at_45, 0, steep.facts);
-        const bool constant = std::ranges::all_of(at_45.parameters, [](const WrittenParameter& p) {
+        const bool constant = std::ranges::all_of(at_45.parameters, [](const ConvertedParameter& p) {
             return !p.parameter->is_bias || p.texels == 0 || p.parameter->setting == "bias.constant";
         });
         if (constant && at_45.hidden_texels == 0) expect_fault(47, grazed.dark_share(at_45));
@@ -145,8 +145,8 @@ TEST_P(HardCase48, NumbersByDepthRangeFollowTheFit) {
     longer.depth_m *= 10;
     const WrittenValues before = plane.written(needed, 0, longer);
     // Numbers of a constant in shares of the range are a tenth for ten times the range; others are equal.
-    const WrittenParameter* by_range = nullptr;
-    for (const WrittenParameter& p : present.parameters)
+    const ConvertedParameter* by_range = nullptr;
+    for (const ConvertedParameter& p : present.parameters)
         if (p.parameter->is_bias && p.value != 0 && before.find(p.parameter->key) &&
             std::abs(before.find(p.parameter->key)->value / p.value - 0.1) < 1e-9)
             by_range = &p;
@@ -165,7 +165,7 @@ TEST_P(HardCase49, CascadesThatShareAMapHaveHalfOfItsTexels) {
     const double needed = plane.needed_texels();
     const WrittenValues half = plane.written(needed, 0, plane.facts);
     expect_within_limit(49, plane.dark_share(half));
-    for (const WrittenParameter& p : half.parameters)
+    for (const ConvertedParameter& p : half.parameters)
         if (p.parameter->setting == "map.resolution") {
             EXPECT_EQ(p.value, (profile.cascades_share_map ? 2 : 1) * plane.facts.texels) << "the map of all cascades";
         }
@@ -173,8 +173,8 @@ TEST_P(HardCase49, CascadesThatShareAMapHaveHalfOfItsTexels) {
     MapFacts whole = plane.facts;
     whole.texels *= 2;
     const WrittenValues of_whole = plane.written(needed, 0, whole);
-    const bool in_metres = std::ranges::any_of(half.parameters, [&](const WrittenParameter& p) {
-        const WrittenParameter* const other = of_whole.find(p.parameter->key);
+    const bool in_metres = std::ranges::any_of(half.parameters, [&](const ConvertedParameter& p) {
+        const ConvertedParameter* const other = of_whole.find(p.parameter->key);
         return p.parameter->is_bias && other && std::abs(other->value - p.value) > 0.1 * std::abs(p.value);
     });
     if (in_metres) expect_fault(49, plane.dark_share(of_whole));

@@ -23,11 +23,11 @@ struct Texel {
     double size_m = 0, to_border = 0;
 };
 
-Texel texel_of(const FittedLight& light, const glm::dvec3& probe, const glm::dvec3& counted_from) {
+Texel texel_of(const FittedLight& light, const glm::dvec3& probe, const glm::dvec3& shader_origin) {
     const ChosenView chosen = light.chooser.choose(light.views, probe);
     const LightView& view = light.views[chosen.view];
     const glm::dvec2 at = glm::dvec2(test::uvdw(view, probe)) * double(kResolution), part = glm::fract(at);
-    const glm::dvec3 middle = view.position_ws((glm::floor(at) + 0.5) / double(kResolution), 0) - counted_from;
+    const glm::dvec3 middle = view.position_ws((glm::floor(at) + 0.5) / double(kResolution), 0) - shader_origin;
     return {chosen.view,
             {glm::dot(middle, view.axes[0]), glm::dot(middle, view.axes[1])},
             view.texel_size(1, kResolution),

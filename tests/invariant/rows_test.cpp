@@ -460,7 +460,7 @@ TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
             if (std::isnan(gap_m)) continue;
             ++found;
             // A stopped ray takes no more of its steps.
-            const int most = cost_of(s).texels;
+            const int most = kernel_cost(s).texels;
             ASSERT_LE(taps.at(x, y, 0), most);
             ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel_row("smrt") ? most / 4 : most);
             const LightView& view = view_of(frame.lights[0], hit.position);

@@ -24,7 +24,7 @@ struct World {
 
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.lights[0].cascades * s.map.resolution * s.map.resolution +
-               0.5 * cost_of(s).sampler_taps / 9.0 + (s.map.format == MapFormat::D16 ? 0 : 0.2) +
+               0.5 * kernel_cost(s).sampler_taps / 9.0 + (s.map.format == MapFormat::D16 ? 0 : 0.2) +
                10 * s.lights[0].contact;
     }
     static double error(const Settings& s) {
@@ -39,11 +39,12 @@ struct World {
             now += seconds_each;
             const auto texels =
                 std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
-            return MeasuredSettings{.error = error(s),
-                                    .noise = 0,
-                                    .work = {.map_texels = texels,
-                                             .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
-                                             .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
+            return MeasuredSettings{
+                .error = error(s),
+                .noise = 0,
+                .work = {.map_texels = texels,
+                         .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
+                         .bytes_touched = texels * 4 + std::uint64_t(kernel_cost(s).texels) * 1000}};
         };
         m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, CostChange{ms(s), ms_noise}; };
         m.time = [this](const Settings& a, const Settings& b) {
@@ -147,7 +148,7 @@ TEST(Autopilot, ReportsTheCostOfEachDroppedEffect) {
     const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
     ASSERT_TRUE(r.goals_met);
     const auto contact = std::find_if(r.dropped.begin(), r.dropped.end(),
-                                      [](const DroppedEffect& d) { return d.key == "light.0.contact"; });
+                                      [](const SettingContribution& d) { return d.key == "light.0.contact"; });
     ASSERT_NE(contact, r.dropped.end());
     EXPECT_NEAR(contact->ms.value, 1, 1e-9);
     EXPECT_EQ(contact->before, "0.1");

@@ -141,7 +141,7 @@ TEST(CheckBaselines, ReadBackAsTheyAreWritten) {
     EXPECT_EQ(read.numbers.acne, 17u);
     EXPECT_EQ(read.numbers.wrong, 1251u);
     EXPECT_EQ(read.numbers.error, 0.1 + 0.2);
-    EXPECT_TRUE(compare_circumstances(read, picture, false).empty());
+    EXPECT_TRUE(require_same_conditions(read, picture, false).empty());
     EXPECT_TRUE(all_passed(check_findings(m, {.metric = &checked_mae()}, &read)));
 }
 
@@ -190,7 +190,7 @@ TEST(CheckBaselines, OtherCircumstancesForbidAComparison) {
         CheckedPicture picture = checked_picture();
         change(picture);
         std::vector<std::string> remarks;
-        const std::string error = test::error_text([&] { remarks = compare_circumstances(base, picture, tolerant); });
+        const std::string error = test::error_text([&] { remarks = require_same_conditions(base, picture, tolerant); });
         return error.empty() ? std::to_string(remarks.size()) + " remarks" : error;
     };
     EXPECT_EQ(compared([](auto&) {}, false), "0 remarks");

@@ -88,7 +88,7 @@ TEST(EngineProfiles, GiveTheWorkedExample) {
         Settings s = profile_settings(1.5, row.normal, soft_low ? "vogel" : row.kernel);
         if (soft_low) s.filter.taps = 4;
         const WrittenValues written = write_engine_values(engine_profile(row.profile), s, {});
-        const WrittenParameter* p = written.find(row.key);
+        const ConvertedParameter* p = written.find(row.key);
         ASSERT_TRUE(p) << row.profile << " " << row.key;
         EXPECT_NEAR(p->value, row.value, kWorkedTolerance * std::abs(row.value))
             << row.profile << " " << row.kernel << " " << row.key;
@@ -157,7 +157,7 @@ TEST(EngineProfiles, NameTheirHiddenBias) {
 
 /// Returns true when a number of written values is not the one that the bias asks for.
 bool is_clamped(const WrittenValues& written) {
-    return std::ranges::any_of(written.parameters, [](const WrittenParameter& p) {
+    return std::ranges::any_of(written.parameters, [](const ConvertedParameter& p) {
         return p.note.find("outside of the engine's range") != std::string::npos ||
                p.note.find("rounded") != std::string::npos;
     });
@@ -189,7 +189,7 @@ TEST(EngineProfiles, GiveAnEqualBiasAtTheReferenceAngle) {
 /// Returns settings after reading engine values into the defaults.
 Settings read_into_settings(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
     Settings s;
-    for (const ReadSetting& setting : read_engine_values(profile, values, facts))
+    for (const ConvertedSetting& setting : read_engine_values(profile, values, facts))
         set_setting(s, setting.key, setting.value);
     return s;
 }
@@ -228,13 +228,13 @@ TEST(EngineProfiles, ReadWhatTheyWrote) {
             same_format.map.format = s.map.format;
             const BiasNumbers after = bias_numbers(same_format, facts);
             EXPECT_NEAR(after.total_texels(facts), before.total_texels(facts), 1e-9) << name << " at " << angle;
-            for (const WrittenParameter& p : written.parameters)
+            for (const ConvertedParameter& p : written.parameters)
                 if (p.parameter->setting == "bias.normal" && p.exactness == Exactness::Exact) {
                     EXPECT_NEAR(after.normal_texels, before.normal_texels, 1e-9) << name;
                 }
             // Settings as the profile draws them give the same numbers again.
             const WrittenValues again = write_engine_values(profile, same_format, facts);
-            for (const WrittenParameter& p : written.parameters) {
+            for (const ConvertedParameter& p : written.parameters) {
                 if (!p.parameter->is_bias || p.parameter->key.starts_with("r.Shadow.Virtual")) continue;
                 EXPECT_NEAR(again.find(p.parameter->key)->value, p.value, 1e-5 * std::abs(p.value) + 1e-9)
                     << name << " " << p.parameter->key << " at " << angle;
@@ -354,7 +354,8 @@ TEST(EngineProfiles, StayFiniteAtTheEndsOfAllSettings) {
                     s.bias.unit = unit;
                     s.bias.slope = amount;
                     s.bias.raster_slope = -amount / 10;
-                    for (const WrittenParameter& p : write_engine_values(profile, s, {.angle_deg = angle}).parameters) {
+                    for (const ConvertedParameter& p :
+                         write_engine_values(profile, s, {.angle_deg = angle}).parameters) {
                         EXPECT_TRUE(std::isfinite(p.value) && std::isfinite(p.texels)) << profile.name;
                         EXPECT_GE(p.value, p.parameter->min) << profile.name << " " << p.parameter->key;
                         EXPECT_LE(p.value, p.parameter->max) << profile.name << " " << p.parameter->key;

@@ -43,7 +43,7 @@ std::vector<ClassifiedPixel> classified_of(const std::vector<std::string>& rows,
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (i >= reference.state.size() || reference.state[i] != PixelState::Counted) continue;
         const float v = drawn.visibility.data[i];
-        out[i] = {Artefact::None, compared_bits(v, true_pixel(reference, i), false), v};
+        out[i] = {Artefact::None, compared_bits(v, reference_pixel(reference, i), false), v};
         if (out[i].has(ClassifiedPixel::kFalseShadow) || out[i].has(ClassifiedPixel::kFalseLight))
             out[i].artefact = cause;
     }
@@ -118,7 +118,7 @@ TEST(Metrics, CountNoErrorWithinTheNoiseOfTheReference) {
     std::vector<ClassifiedPixel> classified(6);
     const float v[] = {0.45f, 0.45f, 0.45f, 0.f, 0.55f, 0.9f};
     for (std::size_t i = 0; i < 6; ++i)
-        classified[i] = {Artefact::None, compared_bits(v[i], true_pixel(reference, i), false), v[i]};
+        classified[i] = {Artefact::None, compared_bits(v[i], reference_pixel(reference, i), false), v[i]};
     using J = ClassifiedPixel;
     EXPECT_EQ(classified[0].bits, J::kCounts | J::kWithinNoise);
     EXPECT_EQ(classified[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
@@ -139,7 +139,7 @@ TEST(Metrics, CountErrorsThatAreSeen) {
     std::vector<ClassifiedPixel> classified(8);
     const float v[] = {1.f, 0.985f, 0.975f, 0.2f, 0.f, 0.01f, 0.03f, 0.9f};
     for (std::size_t i = 0; i < 8; ++i) {
-        classified[i] = {Artefact::None, compared_bits(v[i], true_pixel(reference, i), false), v[i]};
+        classified[i] = {Artefact::None, compared_bits(v[i], reference_pixel(reference, i), false), v[i]};
         if (i == 1 || i == 2) classified[i].bits |= ClassifiedPixel::kAnyAcne;
         classified[i].any_leak = i == 6;
     }

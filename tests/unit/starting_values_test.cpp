@@ -126,7 +126,7 @@ TEST(StartingValues, ComeWithTheKindsOfASweep) {
 
 TEST(StartingValues, YieldToTheSetsOfASweep) {
     std::vector<SweepAxis> axes = {parse_axis("bias.kind=slope"), parse_axis("map.resolution=512")};
-    hold_assigned(axes, assigned_keys(Texts{"bias.normal=0", "map.format=d16"}));
+    protect_assigned_settings(axes, assigned_keys(Texts{"bias.normal=0", "map.format=d16"}));
     EXPECT_EQ(axes[0].held, (std::set<std::string>{"bias.normal"}));
     EXPECT_TRUE(axes[1].held.empty());
     const SweepSpec spec = spec_of(axes), again = spec_from_json(spec_json(spec));

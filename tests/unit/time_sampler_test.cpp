@@ -178,7 +178,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     EXPECT_EQ(cost.map_bytes, 4 * cost.map_texels);
     EXPECT_EQ(cost.draws, 8u);
     EXPECT_EQ(cost.triangles, 300u);
-    const int gathers = cost_of(s).gathers;
+    const int gathers = kernel_cost(s).gathers;
     EXPECT_EQ(cost.taps_per_pixel, 4.0 * gathers);
     EXPECT_EQ(cost.bytes_touched, cost.map_bytes + 10 * 20 * 4 * std::uint64_t(cost.taps_per_pixel));
     s.filter.method = FilterMethod::Sampler;

@@ -18,7 +18,7 @@
 
 namespace si {
 
-std::string reference_label(const CompareWith& with) {
+std::string compared_settings_name(const CompareWith& with) {
     if (with.kind == CompareKind::Preset) return with.preset;
     return with.kind == CompareKind::Scene      ? "the scene's own settings"
            : with.kind == CompareKind::Defaults ? "the program's defaults"
@@ -27,7 +27,7 @@ std::string reference_label(const CompareWith& with) {
 }
 
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets) {
-    if (with.kind != CompareKind::Preset) return reference_label(with);
+    if (with.kind != CompareKind::Preset) return compared_settings_name(with);
     for (const PresetEntry& p : presets)
         if (p.key == with.preset) return p.title.empty() ? p.key : p.title;
     return scene_label(with.preset);
@@ -43,7 +43,7 @@ void reference_combo(CompareWith& compare, bool pinned, const PresetsFacts& pres
     };
     const auto own = [&](CompareKind kind, const std::string& hint) {
         const CompareWith with{kind, {}};
-        item(reference_label(with), with, hint);
+        item(compared_settings_name(with), with, hint);
     };
     own(CompareKind::Scene, "Defaults with what the scene suggests over them");
     own(CompareKind::Defaults, {});

@@ -41,9 +41,9 @@ struct ComparisonFacts {
 
 /// Returns the name of the settings that the present ones are compared with: "the scene's own settings", or a preset's
 /// key or path.
-std::string reference_label(const CompareWith& with);
+std::string compared_settings_name(const CompareWith& with);
 /// Returns the name of the settings that the present ones are compared with, as the panel Compare shows it. It is a
-/// built-in preset's title, a file's name without folders, else reference_label().
+/// built-in preset's title, a file's name without folders, else compared_settings_name().
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets);
 
 /// Draws the panel Compare: a table of the settings in which the present settings and those of `other` differ.

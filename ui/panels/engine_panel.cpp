@@ -46,7 +46,7 @@ void apply_values(EnginePanel& panel, const EngineParameter& changed, const MapF
         if (parameter.is_bias || &parameter == &changed || parameter.setting == "filter.kernel") values[key] = value;
     }
     const bool reads_bias = changed.is_bias || changed.setting == "filter.kernel" || changed.setting.empty();
-    for (const ReadSetting& setting : read_engine_values(*panel.profile, values, facts)) {
+    for (const ConvertedSetting& setting : read_engine_values(*panel.profile, values, facts)) {
         const bool is_bias = setting.key.starts_with("bias.");
         const bool is_own = setting.key == changed.setting || !changed.choices.empty();
         if (is_bias ? reads_bias : is_own) set_setting(settings, setting.key, setting.value);

@@ -275,7 +275,7 @@ void show_autopilot(EditorState& state, const AutopilotResult& r, bool running, 
     coloured_wrapped(r.summary, r.goals_met || running ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
     if (r.goals_met && !running) change_buttons(state, r.best.changes, current, true);
-    for (const DroppedEffect& d : r.dropped)
+    for (const SettingContribution& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {} with it)", d.key,
                                             d.now, d.before, time_text(d.ms), digits_text(d.error))
                                     .c_str());

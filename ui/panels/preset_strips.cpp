@@ -247,7 +247,7 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
     return sequence[std::size_t(to)].key;
 }
 
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
+void draw_notes(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     ImGui::BeginGroup();
     draw_reset(state, frame, requests, width);
     draw_lost(frame, requests, width);

@@ -181,7 +181,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float left = std::max(rest.x - settings - bar, em * 10);
 
     ImGui::BeginGroup();
-    draw_strips(state, frame, requests, left);
+    draw_notes(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // The picture keeps its size while the strip opens, closes or is dragged: the strip lies over its lower part.
     const float closed = closed_strip_height();

@@ -46,7 +46,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);
 /// Draws the notes above the pictures, each if there is a reason. They concern the open preset, a lost session, saved
 /// scene files, far objects, and a reset of the graphics driver. @param width pixels; the height follows the text
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
+void draw_notes(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
 /// Returns the list of built-in presets through which the buttons Next and Previous go. The list is that of the hard
 /// cases (corner cases of shadow maps) if one of them is open, else that of the guided presets.

@@ -96,7 +96,7 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
         out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
     // Floats are finest near the origin, so it lies where objects lie close together.
     const glm::dvec3 nearby = scene.main_part.empty() ? shape->centre : main_bounds(scene).centre();
-    for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, nearby);
+    for (PlacedLight& light : out.lights) light.map_origin = shader_origin(settings, nearby);
     normalise_punctual(out.lights, settings, *shape);
     for (const PlacedLight& light : out.lights)
         out.shapes.push_back(
