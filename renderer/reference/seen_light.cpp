@@ -57,7 +57,6 @@ void SeenLight::start(const LightSamples& samples, std::span<const Seen> seen) {
     taken_ = seen.size();
 }
 
-/// Copies each bit of the coarser grid to both halves of its cell.
 void SeenLight::double_cells(Bits& bits) {
     scratch_.resize(words());
     const std::size_t per_row = words_per_row();
@@ -73,28 +72,23 @@ void SeenLight::double_cells(Bits& bits) {
     std::swap(bits, scratch_);
 }
 
-/// Returns the bits of the cells to the left; at the border a cell's own.
 std::uint64_t SeenLight::left(const Bits& bits, std::size_t word) const {
     return bits[word] << 1 | (word % words_per_row() > 0 ? bits[word - 1] >> 63 : bits[word] & 1);
 }
 
-/// Returns the bits of the cells to the right; at the border a cell's own.
 std::uint64_t SeenLight::right(const Bits& bits, std::size_t word) const {
     const bool last = word % words_per_row() + 1 == words_per_row();
     return bits[word] >> 1 | (last ? bits[word] & (columns() ^ columns() >> 1) : bits[word + 1] << 63);
 }
 
-/// Returns the word of the row above; in the first row the same.
 std::size_t SeenLight::row_above(std::size_t word) const {
     return word < words_per_row() ? word : word - words_per_row();
 }
 
-/// Returns the word of the row below; in the last row the same.
 std::size_t SeenLight::row_below(std::size_t word) const {
     return word + words_per_row() < words() ? word + words_per_row() : word;
 }
 
-/// Sets to_halve_ to the cells that differ from one of their eight neighbours.
 void SeenLight::find_differing() {
     const std::size_t n = words();
     to_halve_.assign(n, 0);
@@ -114,8 +108,6 @@ void SeenLight::find_differing() {
     for (std::uint64_t& bits : to_halve_) bits &= columns();
 }
 
-/// Returns true when shadows, or gaps between them, seem narrower than cells: several cells differ from the neighbours
-/// on all four sides, or most of the rarer state lies in no square of four.
 bool SeenLight::has_narrow_shadows() {
     constexpr int kByChance = 2;  // isolated cells that random places of points cause without a narrow shadow
     const std::size_t n = words();
@@ -179,7 +171,6 @@ void SeenLight::set_wanted(std::span<const Seen> seen) {
     taken_ += seen.size();
 }
 
-/// Returns the cells above the horizon, without those that lack a sample only because there are no more.
 SeenLight::Bits SeenLight::own_samples() const {
     Bits out = above_;
     for (std::size_t c = 0; c < point_.size(); ++c)

@@ -9,17 +9,18 @@
 
 namespace si::test {
 
-inline bool obeys(const nlohmann::json& schema, const nlohmann::json& v);
+using Schema = nlohmann::json;
+
+inline bool obeys(const Schema& schema, const nlohmann::json& v);
 
 /// Returns success where each member of an object obeys its part of a schema.
 inline bool members_obey(const nlohmann::json& schema, const nlohmann::json& v) {
-    using Json = nlohmann::json;
-    for (const Json& name : schema.value("required", Json::array()))
+    for (const Schema& name : schema.value("required", Schema::array()))
         if (!v.contains(name.get<std::string>())) return false;
-    const Json properties = schema.value("properties", Json::object());
-    const Json patterns = schema.value("patternProperties", Json::object());
+    const Schema properties = schema.value("properties", Schema::object());
+    const Schema patterns = schema.value("patternProperties", Schema::object());
     for (const auto& [name, value] : v.items()) {
-        const Json* part = properties.contains(name) ? &properties[name] : nullptr;
+        const Schema* part = properties.contains(name) ? &properties[name] : nullptr;
         for (const auto& [pattern, of] : patterns.items())
             if (!part && std::regex_search(name, std::regex(pattern))) part = &of;
         if (!part && schema.contains("additionalProperties")) part = &schema["additionalProperties"];
@@ -30,12 +31,11 @@ inline bool members_obey(const nlohmann::json& schema, const nlohmann::json& v) 
 
 /// Returns success where a value obeys a schema.
 inline bool obeys(const nlohmann::json& schema, const nlohmann::json& v) {
-    using Json = nlohmann::json;
     if (schema.is_boolean()) return schema.get<bool>();
     if (schema.contains("const")) return schema["const"] == v;
     if (schema.contains("enum")) return std::ranges::find(schema["enum"], v) != schema["enum"].end();
     if (schema["type"].is_array())
-        return std::ranges::any_of(schema["type"], [&](const Json& type) { return obeys(Json{{"type", type}}, v); });
+        return std::ranges::any_of(schema["type"], [&](const Schema& type) { return obeys(Schema{{"type", type}}, v); });
     const std::string type = schema["type"];
     if (type == "object") return v.is_object() && members_obey(schema, v);
     if (type == "array") {

@@ -56,10 +56,6 @@ struct WorkedNumber {
     Sets more = {};
 };
 
-void PrintTo(const WorkedNumber& n, std::ostream* out) {
-    *out << n.target << " " << n.before;
-}
-
 TEST(Convert, EachTargetPrintsTheWorkedExample) {
     const double slope = 1.5 + std::sqrt(2.0);  // equivalent depth bias of both at 45 degrees, texels
     const Sets d24{"map.format=d24"}, medium{"filter.kernel=tent", "filter.size=5"};
