@@ -38,7 +38,8 @@ TEST_F(RasterOffset, UnitsAreThoseOfTheTrianglesGreatestDepth) {
                 const double expected =
                     account.amount(account.equivalent_depth()).texels - account.amount(account.least.total()).texels;
                 EXPECT_NEAR(slack.at(pixel.x, pixel.y), expected, 0.01 * std::abs(expected) + 0.01) << "GLSL";
-                EXPECT_NEAR(b.evidence.worth, account.equivalent_depth(), 0.01 * account.equivalent_depth() + step);
+                EXPECT_NEAR(b.evidence.equivalent_bias, account.equivalent_depth(),
+                            0.01 * account.equivalent_depth() + step);
                 finer += depth_quantum(s.map.format, a.own) * 1.9 * units < offset;
             }
             // Otherwise the pixel's own step would do.
