@@ -57,7 +57,8 @@ MapImport read_map_import(const std::filesystem::path& image, const std::filesys
                           const std::string& scene, const KnownConvention& stated = {}, const FileChoices& file = {});
 
 /// Formats a convention for reading a shadow map as options of the command `import-map`: "--depth-range 0..1 ...".
-/// @param has_pair the light has separate view and projection matrices, so that --product is an option too
+/// @param has_pair true: the light has separate view and projection matrices. The text then has --product, the order in
+/// which they are multiplied.
 std::string convention_options(const Convention& convention, bool has_pair);
 /// Formats axes, mirroring and unit of a light's file in a few words: "z up, x mirrored, 0.01". Returns "the scene's"
 /// if they equal the scene's own.

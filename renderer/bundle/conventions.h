@@ -119,7 +119,8 @@ struct ConventionFits {
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);
 
-/// Returns a copy of a light, in the form of frame.json, whose maps are described by these conventions.
+/// Returns a copy of a light of frame.json with other stated conventions. Only the description of its maps changes;
+/// images and matrices stay as they are.
 BundleLight with_convention(const BundleLight& light, const Convention& convention);
 
 /// Returns a sentence for people on how well a shadow map fits under some conventions: "the scene lies behind the map

@@ -16,7 +16,7 @@ CasterRaster first_raster(const Bundle& bundle);
 /// longer side. Each map keeps the raster state of the imported one, except polygon offset and culling that the user
 /// has changed in the settings.
 /// @param maps imported maps of the light, with views
-/// @param begun first_raster() of the bundle, from which changes are told
+/// @param begun first_raster() of the bundle: settings that differ from it were changed by the user
 std::shared_ptr<const ImportedMaps> redrawn_maps(const ImportedMaps& maps, const Settings& settings,
                                                  const CasterRaster& begun);
 

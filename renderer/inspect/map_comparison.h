@@ -60,8 +60,8 @@ struct TexelBox {
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options for the comparison of an imported shadow map with the drawn one. For casters that the engine's shader moves,
-/// compare_imported_maps() replaces `room_m` and `limits`.
+/// Options for the comparison of an imported shadow map with the drawn one. When the
+/// engine's shader moves casters, compare_imported_maps() sets the members `room_m` and `limits` itself.
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.
@@ -70,11 +70,11 @@ struct MapCompareOptions {
     /// Metres along the axis by which both depths of one surface may differ, besides rounding and slope. For casters
     /// that the engine moves by normals which the scene does not hold.
     double room_m = 0;
-    MapGateLimits limits;
+    MapGateLimits limits;  ///< limits within which both maps count as alike
 };
 
 /// Comparison of one imported shadow map with the map drawn from the same view: counts of texels, depth differences,
-/// and the result of the gate.
+/// and whether the maps are alike enough by MapGateLimits.
 struct MapComparison {
     int light = 0, view = 0;
     std::string name;  ///< name of the view, such as "cascade 2 of 4"; empty for a light's only view

@@ -24,8 +24,8 @@ struct SweepAxis {
 /// @throws UsageError naming key, value and the allowed form
 SweepAxis parse_axis(std::string_view text);
 
-/// Protects settings that the sweep's own --set names from starting values. A bias.kind on an axis then does not
-/// replace the assigned values by its starting values (SweepAxis::held).
+/// Protects settings that a sweep's option --set assigns. An axis over bias.kind then does not replace them by the
+/// starting values of each kind (SweepAxis::held).
 /// @param assigned_keys keys of the settings that --set names
 void protect_assigned_settings(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys);
 

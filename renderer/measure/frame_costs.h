@@ -29,7 +29,8 @@ struct CostRow {
 std::span<const CostRow> cost_cases();
 /// Returns the table row (key, label, help) of a cost case, the kind of frames that are timed.
 const CostRow& cost_row(CostCase cost);
-/// Returns the keys of all cost cases as a list for messages and help: "forced, camera, light".
+/// Returns the keys of all cost cases (kinds of frames that are timed) as a list for messages and help: "forced,
+/// camera, light". "forced" draws everything again.
 std::string cost_keys();
 /// Returns the cost case (kind of frames that are timed) with a key such as "camera". @throws Error naming the known
 /// keys

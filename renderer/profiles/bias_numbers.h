@@ -40,8 +40,8 @@ struct BiasNumbers {
 };
 
 /// Converts this program's bias settings to terms that all engines share. A bias that is computed from the receiver's
-/// plane becomes a constant: the kernel's reach times the tangent of the reference angle. A normal offset with another
-/// dependence on the angle than Length becomes one with Length that is equal at the reference angle.
+/// plane becomes a constant: the kernel's reach times the tangent of the reference angle. A normal offset whose length
+/// depends on the light's angle becomes one of constant length, equal at the reference angle.
 /// @throws Error when an amount is not finite
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 

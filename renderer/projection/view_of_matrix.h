@@ -20,9 +20,9 @@ LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConventio
 /// Returns true when a light view's map is a mirror image, so that triangles appear in it with the opposite winding.
 bool is_mirrored(const LightView& view);
 
-/// Returns true when a shadow map's matrix has parallel rays and a clip-space w that changes from column to column but
-/// not from row to row. view_of_matrix() rejects such a matrix, but accepts it after its rows for x and y are
-/// exchanged.
+/// Returns true when a light's matrix has parallel rays and a clip-space w that changes along the columns of the shadow
+/// map but not along its rows. view_of_matrix() rejects such a matrix, but accepts it after the matrix rows for x and y
+/// are exchanged.
 bool is_warped_by_column(const glm::dmat4& clip_from_world);
 
 }  // namespace si

@@ -16,7 +16,8 @@ struct Caster {
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
 };
 
-/// Ray-tracing hierarchy of a scene's casters in Embree, in the scene's unit frame.
+/// Ray-tracing hierarchy of a scene's casters in Embree. Coordinates are those of UnitFrame: moved to the scene's
+/// centre and scaled to about unit size.
 struct RayHierarchy : UnitFrame {
     TrackedMemory held{"hierarchies of rays", 0};  ///< bytes of Embree; first member, as `device` reports until deleted
     embree::Device device;

@@ -22,7 +22,8 @@ public:
 
 private:
     static constexpr std::size_t kMaxReaches = 4;
-    /// Umbra states of all pixels (inside, outside, unknown) for one kernel reach and one map.
+    /// Cached umbra states of all pixels for one kernel reach and one map. A pixel is inside the umbra if everything
+    /// within the kernel's reach around it is in full shadow.
     struct Known {
         std::uint64_t key = 0;
         std::vector<State> states;

@@ -578,8 +578,8 @@ constexpr HardCase kCases[] = {
      "pixels whose search finds nothing, of which 0/0 is asked", 1000, hard_two_covers,
      "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
     {27, "edge-on-planes", "Planes seen edge-on",
-     "For a plane seen edge-on, the slope from screen derivatives divides by a determinant of 0. Engines add one "
-     "texel of slope as bias, more than the depth of faces one pixel wide. Light then comes through.",
+     "For a plane seen edge-on, the slope from screen derivatives divides by a determinant of 0. Engines add the "
+     "slope over one texel as bias. On faces one pixel wide that is more than the caster's thickness, so light leaks.",
      "The slope comes from the triangle's plane by a quotient without an inverse matrix. Nothing is added, and "
      "edge-on planes need no look-up.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
@@ -657,9 +657,10 @@ constexpr HardCase kCases[] = {
      "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
      "light.azimuth=30 light.elevation=40 light.source=traced", "", ""},
     {37, "bent-ground", "Bent ground in grazing light",
-     "On bent ground the next strip rises above the receiver's plane within the kernel. Dark bands appear in grazing "
-     "light.",
-     "A remainder that grows with a texel's distance from the look-up shifts the plane towards the light.",
+     "Bent ground is made of flat strips. Within the kernel the neighbouring strip rises above the plane of the "
+     "receiver. Dark bands appear in grazing light.",
+     "The compared plane is shifted towards the light by an amount that grows with a texel's distance from the "
+     "look-up.",
      "lit pixels of bent ground darker than lit, with 16 reversed bits, 100 km off", 0.01, kPixels,
      "strips do not shadow each other; the foot of the box's lit sides is an inner corner",
      "share of them that the plane alone darkens", 0.05, hard_bent_ground,

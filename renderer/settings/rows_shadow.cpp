@@ -253,8 +253,8 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .also = "same light, redraw, beside theirs"},
     {SI_FIELD(map.bundle_bias), .label = "Engine's bias", SI_CHOICES(kBundleBiases), .idle = bundle_bias_idle,
      .help = "Source of the bias with which the engine reads the maps of map.bundle. A bundle may leave this bias "
-             "out. Set bias.* to the engine's values and choose entered. Verdicts on wrong pixels then refer to the "
-             "engine's picture. The drawn picture does not change.",
+             "out. Then set bias.* to the engine's values and choose entered, so that causes of wrong pixels are those "
+             "of the engine's picture. Choosing a source does not change the drawn picture.",
      .also = "engine bias, known bias, unknown bias, shadow bias of the engine"},
 }));
 static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
@@ -350,9 +350,9 @@ bool slope_acts(const Settings& s) {
 constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .cost = Cost::Program, .choices = bias_choices,
      .help = "Rule for the amount that is subtracted from the fragment's depth before the comparison. Normal offset "
-             "and polygon offset are added to it. Choosing another kind sets bias.constant and bias.normal to its "
-             "starting values: 0.1 and 3 texels (bias.unit) for slope and constant, 0 for the others. Values from the "
-             "same command line or sweep stay.",
+             "and polygon offset are added to it. Choosing another kind sets bias.constant and bias.normal to the "
+             "starting values of that kind: 0.1 and 3 texels for slope and constant, 0 and 0 for all other kinds. "
+             "Values that the same command line or sweep gives stay.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},

@@ -150,8 +150,8 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .min = 0, .max = 15, .idle = mip_idle,
      .help = "Mip level of the channel that is shown. 0 is the map's own resolution, and each further level has half "
-             "as many texels across. A number past the coarsest level means that level. Saved floats are the level's "
-             "own: numbers of a moment under view.map raw, else the share of the depth range that would give them.",
+             "as many texels across. A number past the coarsest level means that level. A saved float image holds this "
+             "level: with view.map raw the stored numbers of one moment, else depths as shares of the depth range.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to drawn depths", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "

@@ -10,7 +10,7 @@ namespace si::gl {
 void limit_pending_draws();
 
 /// Marks the calling thread as one that draws in the background, while another thread, such as a window's, must not
-/// wait long. From then on throttle_background_drawing() waits on this thread.
+/// wait long. throttle_background_drawing() has an effect only on threads that are marked.
 /// @param on false: ends the throttling
 void set_background_drawing(bool on = true);
 

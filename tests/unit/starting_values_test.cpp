@@ -62,7 +62,7 @@ TEST(StartingValues, HelpNamesThem) {
         EXPECT_EQ(s.bias.constant, row.gives_needed_bias ? 0 : 0.1) << row.key;
         EXPECT_EQ(s.bias.normal, row.gives_needed_bias ? 0 : 3) << row.key;
     }
-    EXPECT_NE(help.find("0.1 and 3 texels (bias.unit) for slope and constant, 0 for the others"), help.npos) << help;
+    EXPECT_NE(help.find("0.1 and 3 texels for slope and constant, 0 and 0 for all other kinds"), help.npos) << help;
 }
 
 TEST(StartingValues, ComeWithAnotherKindOnACommandLine) {

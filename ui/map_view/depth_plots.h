@@ -10,12 +10,12 @@
 namespace si {
 
 /// Draws the histogram of depths of the image in the map viewer. In it the mouse drags the two depths shown as black
-/// and white, or the two thresholds of the view by bands.
+/// and white. When the viewer colours the image by three bands of depth, the mouse drags the two limits between bands.
 /// @param size size of the plot in pixels, from the ImGui cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
 /// Draws the plot of depth-buffer value over distance along the view's axis, for the image in the map viewer. Lines
-/// mark the two thresholds of the view by bands.
+/// mark the two limits between bands when the viewer colours the image by three bands of depth.
 /// @param marked_m distance to mark with a dot, metres; none: no dot @param size size of the plot in pixels, from the
 /// ImGui cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);
