@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Returns true if two frame requests have the same picture size, look (with_look), references and light maps. If not,
+/// Returns true if two frame requests have the same picture size, look of the scene, references and light maps. If not,
 /// the picture must be drawn again.
 bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 

@@ -69,7 +69,7 @@ struct FixTable {
     /// Returns the trial that puts most wrong pixels of one cause right; null: none. Considers fixes, and trials that
     /// would be fixes if their unknown frame time is low enough.
     const Trial* fix_of(Artefact cause) const;
-    /// Returns the number of candidate setting changes that the search has drawn.
+    /// Returns the number of candidate setting changes whose picture the search has drawn so far.
     std::size_t drawn() const;
 };
 

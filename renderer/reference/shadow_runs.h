@@ -30,7 +30,8 @@ inline constexpr int kRunReach = 64;
 /// camera sees. Continues behind objects that occlude a part of the surface. Traces no rays. A part of a picture gives
 /// the same numbers as the whole if it extends kRunReach pixels around a pixel.
 /// @param raster pixels of the picture that the reference samples
-/// @param query query that the reference answers; without views all widths are infinite
+/// @param query query that the reference answers. Widths are measured across the views of its shadow map; they are
+/// infinite if it has no views.
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);

@@ -25,7 +25,7 @@ void set_starting_values(const Settings& before, Settings& after, const std::set
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
 /// Returns the settings that a command line must name with --set to turn the settings `a` into `b`. First come those
-/// that differ, then those that the bias.kind of `b` would otherwise start at another value.
+/// that differ. Then follow those that a change of bias.kind would otherwise reset to its starting values.
 std::vector<SettingRef> settings_to_set(const Settings& a, const Settings& b);
 
 }  // namespace si

@@ -27,7 +27,8 @@ public:
     CameraSlice(const Camera& camera, double from_m, double to_m);
     /// Returns world-space points whose convex hull is the part of a world-space box inside this slice of the view
     /// frustum; none if the box is outside.
-    /// @param within an optional second body in the order of Box; only the part inside it counts
+    /// @param within null, or eight corners of a second convex body in the order of Box corners; only the part inside
+    /// it counts
     std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
     /// Returns world-space points whose convex hull is the part of one object's box inside this slice of the view
     /// frustum; none if the box is outside. For a ground, only its shadowed part counts.
