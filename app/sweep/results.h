@@ -42,8 +42,8 @@ struct SweepRow {
     std::vector<std::string> notes;
 };
 
-/// Results of a sweep for files and plots: counts, compared rounds of timed frames, the Pareto front and one row per
-/// case.
+/// Results of a sweep for files and plots: counts, how many rounds of timed frames the ranking compares, the Pareto
+/// front, and one row per case.
 struct SweepResults {
     nlohmann::ordered_json spec;  ///< SweepState::spec
     std::size_t combinations = 0, cases = 0, finished = 0, failed = 0;

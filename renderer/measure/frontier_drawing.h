@@ -119,8 +119,9 @@ struct FrontierDrawing {
 /// noise where that of neighbours on the front overlaps.
 FrontierDrawing frontier_drawing(const FrontierPlot& plot, const PlotPage& page);
 
-/// Returns a sentence on the knee of the Pareto front, the case after which more cost buys little. Example: "PCF 3×3,
-/// 2048²: 0.021 for 6 ms; nothing within 2 × is a quarter better."
+/// Returns a sentence on the knee of the Pareto front, the case after which more cost buys little: no case of at most
+/// twice its cost has an error a quarter smaller. Example: "PCF 3×3, 2048²: 0.021 for 6 ms; nothing within 2 × is a
+/// quarter better."
 std::string knee_sentence(const FrontierPlot& plot);
 /// Formats the cost of a case in the frontier plot with its unit, such as "6.1 ms of processor" for processor time.
 /// @param bound true: the cost is only an upper bound, "< 0.4 ms"

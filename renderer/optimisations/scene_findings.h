@@ -20,7 +20,8 @@ struct MeshBoxes {
     std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// Cache of the objects that the camera sees, and of the shadow map cells that the picture reads, by light.
+/// Cache of the objects that the camera sees, and of the parts of each light's shadow maps (MapCells) that the picture
+/// reads.
 struct CameraMapReads {
     std::uint64_t key = 0;  ///< cache key of camera and scene
     std::optional<VisibleBodies> bodies;

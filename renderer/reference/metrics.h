@@ -45,7 +45,7 @@ struct ClassifiedPixel {
 /// @param outside true: the shadow map does not cover the surface
 std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, bool outside);
 
-/// Returns one pixel of a ray-traced reference in the form that compared_bits() takes.
+/// Returns reference visibility and noise of one pixel, to which a picture's visibility is compared.
 /// @param i index of the pixel, top row first
 ReferencePixel reference_pixel(const Reference& reference, std::size_t i);
 
