@@ -224,6 +224,7 @@ private:
             const std::size_t first = run % runs * in_turn, end = std::min(first + in_turn, across);
             const int y0 = int(run / runs) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
             for (std::size_t t = first; t < end; ++t) {
+                if (workers.stop.stop_requested()) throw Cancelled();
                 const int x0 = int(t) * kTile;
                 const int x1 = std::min(x0 + kTile, receivers_.width);
                 work(x0, y0, x1, y1);
@@ -353,7 +354,7 @@ private:
                                 round == Round::First ? is_traced(out_.state[i]) : work_[i].wanted != kNone;
                             if (wanted) start(square.pixels[square.size++], i, round);
                         }
-                    sample_square(square, round);
+                    sample_square(square, round, workers.stop);
                     for (std::size_t n = 0; n < square.size; ++n) rays += square.pixels[n].rays;
                 }
             const std::lock_guard guard(lock_);
@@ -362,16 +363,17 @@ private:
     }
 
     /// Traces all samples of a square, by turns: in each those that its pixels want next.
-    void sample_square(AreaSquare& square, Round round) {
+    /// @throws Cancelled
+    void sample_square(AreaSquare& square, Round round, const std::stop_token& stop) {
         for (bool any = square.size > 0; any;) {
             square.batch.clear();
             for (std::size_t n = 0; n < square.size; ++n) {
                 AreaPixel& p = square.pixels[n];
                 if (p.done) continue;
-                if (square.batch.size() + p.points.size() > kMaxBatch) trace(square);
+                if (square.batch.size() + p.points.size() > kMaxBatch) trace(square, stop);
                 add_rays(p, std::uint32_t(n), square.batch);
             }
-            trace(square);
+            trace(square, stop);
             any = false;
             for (std::size_t n = 0; n < square.size; ++n) {
                 AreaPixel& p = square.pixels[n];
@@ -404,7 +406,9 @@ private:
         p.rays += batch.size() - before;
     }
 
-    void trace(AreaSquare& square) const {
+    /// @throws Cancelled
+    void trace(AreaSquare& square, const std::stop_token& stop) const {
+        if (stop.stop_requested()) throw Cancelled();  // 2^20 samples in each pixel of a tile take minutes
         square.batch.trace(scene_, culls_, [&](std::uint32_t ray, bool occluded) {
             AreaPixel& p = square.pixels[ray >> kPointBits];
             p.seen[ray & ((1u << kPointBits) - 1)] = occluded ? Seen::Dark : Seen::Lit;

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <stop_token>
+#include <thread>
 
 #include "renderer/base/directions.h"
 #include "renderer/reference/traced_so_far.h"
@@ -325,6 +328,28 @@ TEST(Tracing, PixelsAppearWhileTheyAreTraced) {
         EXPECT_EQ(all.data[4 * i] < 128, is_dark) << "dark blue in shadow, yellow in light";
     }
     EXPECT_GT(dark, 100u);
+}
+
+TEST(Tracing, StopsWithinATile) {
+    const Scene scene = many_rings();
+    const auto geometry = geometry_of(scene);
+    const ReferenceScene casters(geometry);
+    const Receivers receivers = floor_points(6, 64);
+    // More rays in one tile than any machine traces before the request.
+    const ReferenceQuery query =
+        query_for(scene, sun({0.4, 1, 0.2}, 20), {.area = true, .samples = 1 << 20, .noise = 0});
+    constexpr int kTiles = 16, kRounds = 2;  // those that take few rays: to the light's centre, and first samples
+    std::atomic<int> tiles = 0;
+    std::stop_source stop;
+    std::jthread request([&](const std::stop_token& end) {
+        while (tiles < kRounds * kTiles && !end.stop_requested()) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        stop.request_stop();
+    });
+    const TileDone count = [&](const Reference&, glm::ivec2, glm::ivec2) { ++tiles; };
+    EXPECT_THROW(trace_visibility(casters, receivers, query, {.threads = 1, .stop = stop.get_token()}, count),
+                 Cancelled);
+    EXPECT_EQ(tiles, kRounds * kTiles);
 }
 
 TEST(Tracing, StopsOnRequestAndReportsProgress) {
