@@ -8,6 +8,7 @@
 #include "renderer/advise/fixes.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/kernel_marks.h"
@@ -176,6 +177,7 @@ TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     ASSERT_EQ(after.diagnoses.size(), 1u);
     EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
+SI_TEST_IS(Slow, EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt);
 
 EditorRequests small_picture() {
     EditorRequests request;

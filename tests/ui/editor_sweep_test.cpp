@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "ui/state/panels.h"
 
@@ -112,6 +113,7 @@ TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
     s.editor.settle();
     EXPECT_FALSE(s.facts().view.before) << "of another picture";
 }
+SI_TEST_IS(Slow, EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious);
 
 TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOnes) {
     Swept s(boxes());
@@ -141,6 +143,7 @@ TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOn
     EXPECT_EQ(labels().back(), "now");
     EXPECT_FALSE(s.facts().before_is_pinned) << "the pinned settings are the present ones";
 }
+SI_TEST_IS(Slow, EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOnes);
 
 TEST(EditorSweep, CancelledSweepContinues) {
     const fs::path state = fresh_test_folder();

@@ -12,6 +12,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/panels.h"
@@ -208,6 +209,7 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     ASSERT_TRUE(model.facts().error);
     EXPECT_EQ(wrong_pixels(), wrong - first.cured + first.broken) << "exactly as predicted";
 }
+SI_TEST_IS(Slow, EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure);
 
 }  // namespace
 }  // namespace si::test

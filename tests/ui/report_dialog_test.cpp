@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
@@ -78,6 +79,7 @@ TEST_F(EditorReport, WritesPresentPinnedAndPresetSettings) {
     EXPECT_EQ(facts.problem, "");
     EXPECT_NE(file_bytes(file).find("Pixel 10,20"), std::string::npos);
 }
+SI_TEST_IS(Slow, EditorReport, WritesPresentPinnedAndPresetSettings);
 
 TEST_F(EditorReport, FaultsAreSentencesAndACancelWritesNothing) {
     EXPECT_NE(write({.output = (folder_ / "r.txt").string(), .presets = {}}).problem.find(".html"), std::string::npos);
