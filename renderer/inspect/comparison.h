@@ -14,7 +14,8 @@ struct RecordedTap {
     double weight = 0;    ///< share of the kernel's result
 };
 
-/// Result of the GPU's shadow test at one pixel, for one light, as read back for test_light_at_pixel().
+/// Surface point, visibility and fetched texels that the GPU recorded at one pixel for one light. test_light_at_pixel()
+/// explains the pixel from them.
 struct TestedPixel {
     int light = 0;  ///< index of light.*
     SurfacePoint point;

@@ -61,7 +61,8 @@ struct TexelBox {
 };
 
 /// Options for the comparison of an imported shadow map with the drawn one. When the
-/// engine's shader moves casters, compare_imported_maps() sets the members `room_m` and `limits` itself.
+/// engine's shader moves casters, compare_imported_maps() itself sets the permitted difference of depth (`room_m`) and
+/// the limits within which maps count as alike (`limits`).
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.

@@ -50,8 +50,8 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the shadow maps of all lights without polygon offset and with alpha masks at their finest mip level.
-    /// Called when the plan runs the pass.
+    /// Draws a second shadow map of each light, without polygon offset and with alpha masks at their finest mip level.
+    /// Trials of wrong pixels read it to find the true depth of casters. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

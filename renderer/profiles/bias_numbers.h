@@ -39,8 +39,9 @@ struct BiasNumbers {
     double total_texels(const MapFacts& facts) const;
 };
 
-/// Converts this program's bias settings to terms that all engines share. A bias that is computed from the receiver's
-/// plane becomes a constant: the kernel's reach times the tangent of the reference angle. A normal offset whose length
+/// Converts this program's bias settings to terms that all engines share: constant, normal offset and polygon offset. A
+/// slope bias, and a bias that is computed from the receiver's plane, become constants: their amounts at the reference
+/// angle. A normal offset whose length
 /// depends on the light's angle becomes one of constant length, equal at the reference angle.
 /// @throws Error when an amount is not finite
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);

@@ -36,7 +36,7 @@ struct DepthCurve {
     /// shadow map; the curve itself for other maps.
     /// @param v map coordinate, clamped to [0,1]
     DepthCurve curve_at_row(double v) const;
-    /// Returns the depth-buffer value in [0,1] at a distance z along the axis, metres.
+    /// Returns the depth-buffer value in [0,1] at a distance z along the axis of the light or camera view, metres.
     double depth(double z) const;
     /// Returns the distance in metres along the axis at a depth-buffer value `d`; the inverse of depth().
     double distance(double d) const;

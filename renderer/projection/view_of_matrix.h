@@ -20,9 +20,9 @@ LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConventio
 /// Returns true when a light view's map is a mirror image, so that triangles appear in it with the opposite winding.
 bool is_mirrored(const LightView& view);
 
-/// Returns true when a light's matrix has parallel rays and a clip-space w that changes along the columns of the shadow
-/// map but not along its rows. view_of_matrix() rejects such a matrix, but accepts it after the matrix rows for x and y
-/// are exchanged.
+/// Returns true when a light's matrix has parallel rays and a clip-space w that differs between the columns of the
+/// shadow map (along x) but not between its rows (along y). view_of_matrix() rejects such a matrix. read_given_maps()
+/// therefore exchanges x and y of the matrix, and columns and rows of the image.
 bool is_warped_by_column(const glm::dmat4& clip_from_world);
 
 }  // namespace si

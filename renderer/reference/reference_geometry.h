@@ -84,7 +84,8 @@ struct ObjectTraits {
     bool receives = true;
     Cull cull = Cull::None;  ///< face culling in the shadow map; the object's own setting overrides the scene's
 };
-/// Returns the shadow settings of each object, by index in Scene::objects, for ray tracing and for diagnosing pixels.
+/// Returns for each object, by index in Scene::objects, whether it receives shadows and which of its faces shadow maps
+/// leave out. For ray tracing and for diagnosing pixels. ReferenceObject::casts says whether it casts.
 std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -14,8 +14,8 @@ namespace si {
 /// @param size size of the plot in pixels, from the ImGui cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
-/// Draws the plot of depth-buffer value over distance along the view's axis, for the image in the map viewer. Lines
-/// mark the two limits between bands when the viewer colours the image by three bands of depth.
+/// Draws the plot of depth-buffer value over distance along the view's axis, for the image in the map viewer. Two
+/// lines mark view.band_low and view.band_high, the depths at which the view by bands changes its colour.
 /// @param marked_m distance to mark with a dot, metres; none: no dot @param size size of the plot in pixels, from the
 /// ImGui cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);

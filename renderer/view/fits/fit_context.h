@@ -59,8 +59,9 @@ double eye_advance_m(double near, double far);
 /// @param margin texels
 double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
-/// Completes a light view and adds it to the light's views: applies the manual depth range and the stretch of the map's
-/// sides from the settings, widens a depth range that is too small, and computes the projection.
+/// Completes a light view and adds it to the light's views: applies the manual depth range (light.near,
+/// light.far) and the factor light.stretch, which lengthens that range. Widens a depth range that is still too small,
+/// and computes the projection.
 /// @param reference_z distance in metres from the light at which the view's texel size is computed
 void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
 
