@@ -119,8 +119,10 @@ struct ConventionFits {
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);
 
-/// Returns a copy of a light of frame.json with other stated conventions. Only the description of its maps changes;
-/// images and matrices stay as they are.
+/// Converts a light that is written by other conventions to those of frame.json: order and axes of its matrices,
+/// direction and position. Sets first row, depth range and stored kind of its maps; their texels stay. Used to try a
+/// reading of an imported map.
+/// @param convention conventions by which the light is written
 BundleLight with_convention(const BundleLight& light, const Convention& convention);
 
 /// Returns a sentence for people on how well a shadow map fits under some conventions: "the scene lies behind the map

@@ -22,8 +22,8 @@ public:
 
 private:
     static constexpr std::size_t kMaxReaches = 4;
-    /// Cached umbra states of all pixels for one kernel reach and one map. A pixel is inside the umbra if everything
-    /// within the kernel's reach around it is in full shadow.
+    /// Cached umbra states of all pixels for one kernel reach and one map. A pixel is inside the umbra if it and
+    /// 8 points at the kernel's reach around it are in full shadow (umbra_of()).
     struct Known {
         std::uint64_t key = 0;
         std::vector<State> states;

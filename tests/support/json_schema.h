@@ -35,7 +35,9 @@ inline bool obeys(const nlohmann::json& schema, const nlohmann::json& v) {
     if (schema.contains("const")) return schema["const"] == v;
     if (schema.contains("enum")) return std::ranges::find(schema["enum"], v) != schema["enum"].end();
     if (schema["type"].is_array())
-        return std::ranges::any_of(schema["type"], [&](const Schema& type) { return obeys(Schema{{"type", type}}, v); });
+        return std::ranges::any_of(schema["type"], [&](const Schema& type) {
+            return obeys(Schema{{"type", type}}, v);
+        });
     const std::string type = schema["type"];
     if (type == "object") return v.is_object() && members_obey(schema, v);
     if (type == "array") {

@@ -11,8 +11,9 @@ namespace si {
 
 struct FoundBias;
 
-/// Request to search for better settings: for the least bias, or for advice on all settings. With a limit, the bias
-/// search also tries kernels and resolutions, and the autopilot replaces advice.
+/// Request to search for better settings: for the least bias, or for advice on all settings. With a limit of error or
+/// frame time, the search for the least bias also tries kernels and resolutions. In place of advice, the autopilot then
+/// searches combinations of settings for the best within the limits. No search changes the settings by itself.
 struct SearchRequest {
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame
