@@ -17,8 +17,8 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorRequest
 /// @param now true: the search ran for the shown frame; false: for an earlier one
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
-/// Makes one row of the panel Effects, which lists all work of a frame: the row for the reference, whose rays are
-/// traced in the background.
+/// Makes the row for the reference's rays in the panel Effects. That panel lists each piece of a frame's work as drawn,
+/// cached or not needed, with the reason. Rays are traced in the background.
 Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si
