@@ -578,8 +578,8 @@ constexpr HardCase kCases[] = {
      "pixels whose search finds nothing, of which 0/0 is asked", 1000, hard_two_covers,
      "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
     {27, "edge-on-planes", "Planes seen edge-on",
-     "For a plane seen edge-on, the slope from screen derivatives divides by a determinant of 0. Engines add the "
-     "slope over one texel as bias. On faces one pixel wide that is more than the caster's thickness, so light leaks.",
+     "For a plane seen edge-on, the slope from screen derivatives divides by 0. Engines add the slope over one texel "
+     "as bias. On faces one pixel wide that exceeds the caster's thickness, so light leaks.",
      "The slope comes from the triangle's plane by a quotient without an inverse matrix. Nothing is added, and "
      "edge-on planes need no look-up.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
