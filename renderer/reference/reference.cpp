@@ -159,24 +159,29 @@ private:
     static constexpr int kKeptFirst = 16;
     int first_ = 1;  ///< samples of every pixel
     enum class Round { First, Penumbrae };
-    /// Values of penumbra_.
-    static constexpr std::uint8_t kShadowEdge = 1;  ///< a neighbour sees another share of the light
-    static constexpr std::uint8_t kPartial = 2;     ///< a part of the light is seen
-    /// Values of PixelWork::wanted.
-    static constexpr std::uint8_t kNone = 0;    ///< no more samples
-    static constexpr std::uint8_t kFar = 1;     ///< two pixels from a penumbra or an edge
-    static constexpr std::uint8_t kNear = 2;    ///< next to an edge
-    static constexpr std::uint8_t kBeside = 3;  ///< in a penumbra, or with a neighbour in one
+    /// Part of the light that a pixel sees, compared with its neighbours.
+    enum class Penumbra : std::uint8_t {
+        None,
+        Edge,    ///< a neighbour sees another share of the light
+        Partial  ///< a part of the light is seen
+    };
+    /// Reason why a pixel needs more samples; later ones need more.
+    enum class Wanted : std::uint8_t {
+        None,
+        Far,    ///< two pixels from a penumbra or an edge
+        Near,   ///< next to an edge
+        Beside  ///< in a penumbra, or with a neighbour in one
+    };
 
     /// State of a pixel that sees an area light.
     struct PixelWork {
         std::uint16_t lit = 0, above = 0;  ///< first samples, a bit each: lit, and above the horizon
         std::uint32_t used = 0;            ///< samples taken
-        std::uint8_t wanted = kNone;       ///< kNone, kFar, kNear or kBeside
+        Wanted wanted = Wanted::None;
     };
-    BigArray<PixelWork> work_;         ///< by pixel
-    BigArray<std::uint8_t> penumbra_;  ///< by pixel: 0, kShadowEdge or kPartial
-    glm::vec3 to_light_{0};            ///< direction to a directional light
+    BigArray<PixelWork> work_;     ///< by pixel
+    BigArray<Penumbra> penumbra_;  ///< by pixel
+    glm::vec3 to_light_{0};        ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     /// Returns the expected share of the first samples in all samples of an area light, for the progress.
@@ -320,110 +325,65 @@ private:
 
     int most() const { return std::max(query_.options.samples, 1); }
 
-    /// Pixel of an area light's reference, sampled together with its neighbours: their rays fill packets.
-    struct AreaPixel {
-        std::size_t pixel = 0;
-        std::optional<LightSamples> samples;
-        SeenLight light;
-        bool started = false;  ///< `light` has its first states
-        bool done = false;
-        std::span<const std::uint32_t> points;  ///< sample points of the next round
-        std::vector<Seen> seen;                 ///< their states, after those that were known before
-        std::size_t rays = 0;
-    };
-    /// Neighbouring pixels that a thread samples together.
-    struct AreaSquare {
-        std::array<AreaPixel, std::size_t{kSquare} * kSquare> pixels;
-        std::size_t size = 0;
+    /// Buffers of one thread that samples pixels.
+    struct SampleBuffers {
         RayBatch batch;
+        SeenLight light;
+        std::vector<Seen> seen;
     };
 
     /// Samples the light from all traced pixels, or from those that find_penumbrae() marked.
+    /// @throws Cancelled
     void sample(Round round, const Workers& workers) {
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
-            thread_local AreaSquare square;
+            thread_local SampleBuffers buffers;
             std::uint64_t rays = 0;
-            for (int square_y = y0; square_y < y1; square_y += kSquare)
-                for (int square_x = x0; square_x < x1; square_x += kSquare) {
-                    square.size = 0;
-                    for (int y = square_y; y < std::min(square_y + kSquare, y1); ++y)
-                        for (int x = square_x; x < std::min(square_x + kSquare, x1); ++x) {
-                            const std::size_t i = index(x, y);
-                            if (round == Round::First) work_[i] = {};
-                            const bool wanted =
-                                round == Round::First ? is_traced(out_.state[i]) : work_[i].wanted != kNone;
-                            if (wanted) start(square.pixels[square.size++], i, round);
-                        }
-                    sample_square(square, round, workers.stop);
-                    for (std::size_t n = 0; n < square.size; ++n) rays += square.pixels[n].rays;
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) {
+                    const std::size_t i = index(x, y);
+                    if (round == Round::First) {
+                        work_[i] = {};
+                        if (is_traced(out_.state[i])) rays += take_first_samples(i, buffers, workers.stop);
+                    } else if (work_[i].wanted != Wanted::None) {
+                        rays += take_more_samples(i, buffers, workers.stop);
+                    }
                 }
             const std::lock_guard guard(lock_);
             out_.rays += rays;
         });
     }
 
-    /// Traces all samples of a square, by turns: in each those that its pixels want next.
-    /// @throws Cancelled
-    void sample_square(AreaSquare& square, Round round, const std::stop_token& stop) {
-        for (bool any = square.size > 0; any;) {
-            square.batch.clear();
-            for (std::size_t n = 0; n < square.size; ++n) {
-                AreaPixel& p = square.pixels[n];
-                if (p.done) continue;
-                if (square.batch.size() + p.points.size() > kMaxBatch) trace(square, stop);
-                add_rays(p, std::uint32_t(n), square.batch);
-            }
-            trace(square, stop);
-            any = false;
-            for (std::size_t n = 0; n < square.size; ++n) {
-                AreaPixel& p = square.pixels[n];
-                if (p.done) continue;
-                if (round == Round::First)
-                    finish_first(p);
-                else
-                    continue_pixel(p);
-                any = any || !p.done;
-            }
-        }
-    }
-
-    static constexpr std::uint32_t kPointBits = 28;       ///< of a ray's number: point of the round; above: pixel
-    static constexpr std::size_t kMaxBatch = 16u * 1024;  ///< rays at once, but for those of a single pixel
-
-    /// Adds the rays of a pixel's next round to the batch.
-    void add_rays(AreaPixel& p, std::uint32_t number, RayBatch& batch) const {
-        const Receiver& r = receivers_.pixels[p.pixel];
-        const glm::vec3 origin = ray_origin(scene_, r);
-        const std::size_t known = p.seen.size(), before = batch.size();
-        p.seen.resize(known + p.points.size(), Seen::Below);
-        for (std::size_t k = 0; k < p.points.size(); ++k) {
-            const LightRay ray = p.samples->ray(p.points[k]);
-            const double cosine = glm::dot(r.normal_ws, ray.direction);
-            if (cosine > 0)
-                batch.add(number << kPointBits | std::uint32_t(known + k), r, origin, ray.direction, cosine,
-                          ray.length_m * scene_.scale);
-        }
-        p.rays += batch.size() - before;
-    }
-
-    /// @throws Cancelled
-    void trace(AreaSquare& square, const std::stop_token& stop) const {
+    /// Traces sample points of a pixel. Returns the number of rays.
+    /// @param points numbers of the sample points @param seen receives their states @throws Cancelled
+    std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
+                              std::span<Seen> seen, RayBatch& batch, const std::stop_token& stop) const {
         if (stop.stop_requested()) throw Cancelled();  // 2^20 samples in each pixel of a tile take minutes
-        square.batch.trace(scene_, culls_, [&](std::uint32_t ray, bool occluded) {
-            AreaPixel& p = square.pixels[ray >> kPointBits];
-            p.seen[ray & ((1u << kPointBits) - 1)] = occluded ? Seen::Dark : Seen::Lit;
-        });
-        square.batch.clear();
+        const Receiver& r = receivers_.pixels[i];
+        const glm::vec3 origin = ray_origin(scene_, r);
+        std::ranges::fill(seen, Seen::Below);
+        batch.clear();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const LightRay ray = samples.ray(points[k]);
+            const double cosine = glm::dot(r.normal_ws, ray.direction);
+            if (cosine > 0) batch.add(std::uint32_t(k), r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
+        }
+        batch.trace(scene_, culls_,
+                    [&](std::uint32_t k, bool occluded) { seen[k] = occluded ? Seen::Dark : Seen::Lit; });
+        return batch.size();
     }
 
     /// Sets a pixel's estimate from the samples so far; a light without size has no error.
-    Estimate set_estimate(const AreaPixel& p) {
-        Estimate out = p.light.estimate(out_.hard().data[p.pixel]);
+    Estimate set_estimate(std::size_t i, const SeenLight& light) {
+        Estimate out = light.estimate(out_.hard().data[i]);
         if (!(query_.emitter.size > 0)) out.error = 0;
-        out_.visibility.data[p.pixel] = float(out.visibility);
-        error_[p.pixel] = float(out.error);
-        work_[p.pixel].used = std::uint32_t(out.samples);
+        out_.visibility.data[i] = float(out.visibility);
+        error_[i] = float(out.error);
+        work_[i].used = std::uint32_t(out.samples);
         return out;
+    }
+
+    LightSamples light_samples(std::size_t i) const {
+        return LightSamples(query_.emitter, receivers_.pixels[i].position_ws, i);
     }
 
     /// Numbers 0, 1, 2 ... of a pixel's first sample points.
@@ -433,76 +393,73 @@ private:
         return out;
     }();
 
-    /// Prepares a pixel for its first samples, or for those that follow them.
-    void start(AreaPixel& p, std::size_t i, Round round) {
-        p.pixel = i;
-        p.samples.emplace(query_.emitter, receivers_.pixels[i].position_ws, i);
-        p.started = p.done = false;
-        p.rays = 0;
-        p.seen.clear();
-        if (round == Round::First) {
-            p.points = std::span(kFirstPoints).first(std::size_t(first_));
-            return;
+    /// Takes the first samples of a pixel, and keeps their states. Returns the number of rays.
+    std::size_t take_first_samples(std::size_t i, SampleBuffers& b, const std::stop_token& stop) {
+        const LightSamples samples = light_samples(i);
+        b.seen.resize(std::size_t(first_));
+        const std::size_t rays =
+            trace_samples(i, samples, std::span(kFirstPoints).first(b.seen.size()), b.seen, b.batch, stop);
+        b.light.start(samples, b.seen);
+        set_estimate(i, b.light);
+        if (b.seen.size() > kKeptFirst) return rays;
+        PixelWork& work = work_[i];
+        for (std::size_t k = 0; k < b.seen.size(); ++k) {
+            if (b.seen[k] != Seen::Below) work.above = std::uint16_t(work.above | 1u << k);
+            if (b.seen[k] == Seen::Lit) work.lit = std::uint16_t(work.lit | 1u << k);
         }
+        return rays;
+    }
+
+    /// Sets the states of the samples that a pixel has: those kept, or the one that all share.
+    void restore_states(std::size_t i, const LightSamples& samples, std::vector<Seen>& seen) const {
         const PixelWork& work = work_[i];
-        // States of the samples so far: kept, or all the same.
-        const auto known = std::size_t(partial(i) ? first_ : int(work.used));
-        const auto end = std::size_t(std::min(work.wanted == kFar ? kFarSamples : kPenumbraSamples, most()));
-        for (std::size_t k = 0; k < known; ++k) {
-            const bool above = partial(i) ? work.above >> k & 1 : is_above(p, std::uint32_t(k));
-            const bool lit = partial(i) ? work.lit >> k & 1 : out_.visibility.data[i] > 0;
-            p.seen.push_back(!above ? Seen::Below : lit ? Seen::Lit : Seen::Dark);
-        }
-        p.points = {};
-        if (known < end) p.points = std::span(kFirstPoints).subspan(known, end - known);
-    }
-
-    /// Returns true when a sample point lies above the horizon of the pixel's surface.
-    bool is_above(const AreaPixel& p, std::uint32_t point) const {
-        return glm::dot(receivers_.pixels[p.pixel].normal_ws, p.samples->ray(point).direction) > 0;
-    }
-
-    /// Keeps the states of the first samples.
-    void finish_first(AreaPixel& p) {
-        p.light.start(*p.samples, p.seen);
-        set_estimate(p);
-        p.done = true;
-        if (p.seen.size() > kKeptFirst) return;
-        PixelWork& work = work_[p.pixel];
-        for (std::size_t k = 0; k < p.seen.size(); ++k) {
-            if (p.seen[k] != Seen::Below) work.above = std::uint16_t(work.above | 1u << k);
-            if (p.seen[k] == Seen::Lit) work.lit = std::uint16_t(work.lit | 1u << k);
+        const bool kept = partial(i);
+        const auto is_above = [&](std::uint32_t point) {
+            return glm::dot(receivers_.pixels[i].normal_ws, samples.ray(point).direction) > 0;
+        };
+        seen.clear();
+        const auto known = std::uint32_t(kept ? first_ : int(work.used));
+        for (std::uint32_t k = 0; k < known; ++k) {
+            const bool above = kept ? work.above >> k & 1 : is_above(k);
+            const bool lit = kept ? work.lit >> k & 1 : out_.visibility.data[i] > 0;
+            seen.push_back(!above ? Seen::Below : lit ? Seen::Lit : Seen::Dark);
         }
     }
 
-    /// Takes the states of a round. Asks for more until the error is small enough, or the light is seen to be whole or
-    /// hidden.
-    void continue_pixel(AreaPixel& p) {
-        const int least = samples_for(work_[p.pixel].wanted);
-        if (p.started)
-            p.light.set_wanted(p.seen);
-        else
-            p.light.start(*p.samples, p.seen);
-        p.started = true;
+    /// Adds samples to those of a pixel until the error is small enough, or the light is seen to be whole or hidden.
+    /// Returns the number of rays.
+    std::size_t take_more_samples(std::size_t i, SampleBuffers& b, const std::stop_token& stop) {
+        const LightSamples samples = light_samples(i);
+        restore_states(i, samples, b.seen);
+        const Wanted wanted = work_[i].wanted;
+        const std::size_t known = b.seen.size();
+        const auto end = std::size_t(std::min(wanted == Wanted::Far ? kFarSamples : kPenumbraSamples, most()));
+        std::size_t rays = 0;
+        if (known < end) {
+            b.seen.resize(end);
+            rays += trace_samples(i, samples, std::span(kFirstPoints).subspan(known, end - known),
+                                  std::span(b.seen).subspan(known), b.batch, stop);
+        }
+        b.light.start(samples, b.seen);
         for (;;) {
-            p.seen.clear();
-            const Estimate e = set_estimate(p);
-            const auto fineness = int(p.light.fineness());
+            const Estimate e = set_estimate(i, b.light);
+            const auto fineness = int(b.light.fineness());
             const bool whole = e.visibility == 0 || e.visibility == 1;
-            const bool enough = whole ? fineness >= least : e.error <= query_.options.noise;
-            if (fineness >= most() || enough) {
-                p.done = true;
-                return;
-            }
-            p.points = p.light.halve(*p.samples, std::uint32_t(std::min(most(), 2 * fineness)),
-                                     whole || fineness < kPlainSamples);
-            if (!p.points.empty()) return;
+            const bool enough = whole ? fineness >= samples_for(wanted) : e.error <= query_.options.noise;
+            if (fineness >= most() || enough) return rays;
+            const auto points = b.light.halve(samples, std::uint32_t(std::min(most(), 2 * fineness)),
+                                              whole || fineness < kPlainSamples);
+            b.seen.resize(points.size());
+            rays += trace_samples(i, samples, points, b.seen, b.batch, stop);
+            b.light.set_wanted(b.seen);
         }
     }
 
     /// Returns the number of samples that must agree before a pixel counts as lit or dark.
-    int samples_for(std::uint8_t wanted) const {
-        const int all = wanted == kBeside ? kBesideSamples : wanted == kNear ? kPenumbraSamples : kFarSamples;
+    int samples_for(Wanted wanted) const {
+        const int all = wanted == Wanted::Beside ? kBesideSamples
+                        : wanted == Wanted::Near ? kPenumbraSamples
+                                                 : kFarSamples;
         return std::min(all, most());
     }
 
@@ -521,10 +478,10 @@ private:
             for (int x = 0; x < receivers_.width; ++x) {
                 const std::size_t i = index(x, y);
                 const bool differs = out_.visibility.data[i] != out_.hard().data[i];
-                penumbra_[i] = !is_traced(out_.state[i])      ? 0
-                               : partial(i)                   ? kPartial
-                               : differs || beside_edge(x, y) ? kShadowEdge
-                                                              : 0;
+                penumbra_[i] = !is_traced(out_.state[i])      ? Penumbra::None
+                               : partial(i)                   ? Penumbra::Partial
+                               : differs || beside_edge(x, y) ? Penumbra::Edge
+                                                              : Penumbra::None;
             }
         });
         std::atomic<bool> any = false;
@@ -534,34 +491,38 @@ private:
             thread_local std::vector<std::uint8_t> columns;  // penumbrae above and below each pixel of the row
             columns.assign(std::size_t(receivers_.width), 0);
             for (int v = y0; v <= y1; ++v)
-                for (std::size_t x = 0; x < columns.size(); ++x) columns[x] |= penumbra_[index(0, v) + x];
+                for (std::size_t x = 0; x < columns.size(); ++x)
+                    columns[x] |= penumbra_[index(0, v) + x] != Penumbra::None;
             for (int x = 0; x < receivers_.width; ++x) {
                 const std::size_t i = index(x, y);
                 const int x0 = std::max(x - kNeighbourPixels, 0),
                           x1 = std::min(x + kNeighbourPixels, receivers_.width - 1);
                 const bool near = std::any_of(&columns[std::size_t(x0)], &columns[std::size_t(x1)] + 1,
                                               [](std::uint8_t column) { return column != 0; });
-                work_[i].wanted = near && is_traced(out_.state[i]) ? wanted(i, {x, y}, {x0, y0}, {x1, y1}) : kNone;
-                if (work_[i].wanted != kNone) any = true;
+                work_[i].wanted =
+                    near && is_traced(out_.state[i]) ? wanted(i, {x, y}, {x0, y0}, {x1, y1}) : Wanted::None;
+                if (work_[i].wanted != Wanted::None) any = true;
             }
         });
         return any;
     }
 
-    /// Returns the state of PixelWork::wanted for a traced pixel near a penumbra or an edge.
+    /// Returns why a traced pixel near a penumbra or an edge needs more samples.
     /// @param i index of the pixel @param first upper left pixel of its neighbourhood @param last lower right one
-    std::uint8_t wanted(std::size_t i, glm::ivec2 pixel, glm::ivec2 first, glm::ivec2 last) const {
-        std::uint8_t out = kNone;
+    Wanted wanted(std::size_t i, glm::ivec2 pixel, glm::ivec2 first, glm::ivec2 last) const {
+        Wanted out = Wanted::None;
         for (int v = first.y; v <= last.y; ++v)
             for (int u = first.x; u <= last.x; ++u) {
-                const std::uint8_t penumbra = penumbra_[index(u, v)];
-                if (penumbra == 0) continue;
+                const Penumbra penumbra = penumbra_[index(u, v)];
+                if (penumbra == Penumbra::None) continue;
                 const bool next = std::max(std::abs(u - pixel.x), std::abs(v - pixel.y)) <= 1;
-                out = std::max(out, !next ? kFar : penumbra == kPartial ? kBeside : kNear);
+                out = std::max(out, !next                           ? Wanted::Far
+                                    : penumbra == Penumbra::Partial ? Wanted::Beside
+                                                                    : Wanted::Near);
             }
         const int used = int(work_[i].used);
-        const bool enough = penumbra_[i] == kPartial ? used > first_ : used >= samples_for(out);
-        return enough ? kNone : out;
+        const bool enough = penumbra_[i] == Penumbra::Partial ? used > first_ : used >= samples_for(out);
+        return enough ? Wanted::None : out;
     }
 
     /// Returns true when the pixel right of or below a pixel sees another share of the light.

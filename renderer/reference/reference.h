@@ -42,7 +42,7 @@ constexpr bool is_traced(PixelState s) {
 struct ReferenceOptions {
     bool area = false;           ///< area light of the light's size; else a point or a direction
     bool as_rasterised = false;  ///< faces that culling removes from the shadow map cast no shadow here either
-    int samples = 1024;          ///< area: most rays per pixel; in penumbrae 64 and more while noisy
+    int samples = 1024;          ///< area: most rays per pixel; in penumbrae 64, and more while noisy
     int first_samples = 8;       ///< area: rays of every pixel; more follow where these or a neighbour's disagree
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
     bool nearest = true;         ///< compute Reference::nearest_m and blocker_m
