@@ -47,23 +47,51 @@ private:
     std::vector<double> from_, out_;
 };
 
+constexpr int kNoneInColumn = 1 << 30;  ///< least distance that stands for a column without a set pixel
+
+/// Returns the distances to the nearest set pixel of the same column, by one sweep down and one up.
+std::vector<int> distances_in_columns(const std::vector<std::uint8_t>& set, int width, int height) {
+    const auto w = std::size_t(width), n = w * std::size_t(height);
+    std::vector<int> out(n);
+    for (std::size_t i = 0; i < n; ++i) out[i] = set[i] ? 0 : i < w ? kNoneInColumn : out[i - w] + 1;
+    for (std::size_t i = n; i-- > w;) out[i - w] = std::min(out[i - w], out[i] + 1);
+    return out;
+}
+
 }  // namespace
 
 std::vector<float> distance_to(const std::vector<std::uint8_t>& set, int width, int height) {
     const auto w = std::size_t(width), h = std::size_t(height);
-    // Distances within columns, by one sweep down and one up.
-    std::vector<double> in_column(w * h);
-    for (std::size_t i = 0; i < w * h; ++i) in_column[i] = set[i] ? 0 : i < w ? kInfinite : in_column[i - w] + 1;
-    for (std::size_t i = w * h; i-- > w;) in_column[i - w] = std::min(in_column[i - w], in_column[i] + 1);
+    const std::vector<int> in_column = distances_in_columns(set, width, height);
     std::vector<double> line(w);
     std::vector<float> distance(w * h);
     Envelope rows(w);
     for (std::size_t y = 0; y < h; ++y) {
-        for (std::size_t x = 0; x < w; ++x) line[x] = in_column[y * w + x] * in_column[y * w + x];
+        for (std::size_t x = 0; x < w; ++x) {
+            const int d = in_column[y * w + x];
+            line[x] = d < kNoneInColumn ? double(d) * d : kInfinite;
+        }
         const std::vector<double>& out = rows.transform(line);
         for (std::size_t x = 0; x < w; ++x) distance[y * w + x] = float(std::sqrt(out[x]));
     }
     return distance;
+}
+
+NearestSetPixel::NearestSetPixel(const std::vector<std::uint8_t>& set, int width, int height)
+    : width_(width), in_column_(distances_in_columns(set, width, height)) {}
+
+float NearestSetPixel::distance(std::size_t pixel) const {
+    const auto w = std::size_t(width_), x = pixel % w;
+    const int* const row = &in_column_[pixel - x];
+    double least = kInfinite;  // squared
+    const auto compare = [&](std::size_t column, double aside) {
+        if (row[column] < kNoneInColumn) least = std::min(least, aside * aside + double(row[column]) * row[column]);
+    };
+    for (std::size_t aside = 0; aside < w && double(aside) * double(aside) < least; ++aside) {
+        if (aside <= x) compare(x - aside, double(aside));
+        if (x + aside < w) compare(x + aside, double(aside));
+    }
+    return float(std::sqrt(least));
 }
 
 }  // namespace si

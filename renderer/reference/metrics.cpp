@@ -43,10 +43,10 @@ void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, cons
         return;
     }
     std::vector<float> distances;
-    const std::vector<float> to_a = distance_to(a, width, height), to_b = distance_to(b, width, height);
+    const NearestSetPixel in_a(a, width, height), in_b(b, width, height);
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i]) distances.push_back(to_b[i]);
-        if (b[i]) distances.push_back(to_a[i]);
+        if (a[i]) distances.push_back(in_b.distance(i));
+        if (b[i]) distances.push_back(in_a.distance(i));
     }
     double sum = 0;
     for (float& d : distances) sum += d *= float(step);

@@ -56,6 +56,7 @@ TEST(DistanceTransform, IsTheDistanceToTheNearestPixel) {
         std::vector<std::uint8_t> set(std::size_t(w * h));
         for (auto& s : set) s = random.in(0, 1) < 0.1;
         const std::vector<float> distance = distance_to(set, w, h);
+        const NearestSetPixel nearest(set, w, h);
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 double least = INFINITY;
@@ -63,6 +64,7 @@ TEST(DistanceTransform, IsTheDistanceToTheNearestPixel) {
                     for (int u = 0; u < w; ++u)
                         if (set[std::size_t(v * w + u)]) least = std::min(least, std::hypot(u - x, v - y));
                 EXPECT_EQ(distance[std::size_t(y * w + x)], float(least)) << x << ',' << y;
+                EXPECT_EQ(nearest.distance(std::size_t(y * w + x)), float(least)) << x << ',' << y;
             }
     }
 }
