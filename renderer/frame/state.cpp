@@ -91,10 +91,10 @@ bool FrameState::needs_unfiltered_map() const {
     return offsets_polygons(settings) || mask_levels;
 }
 
-Key FrameState::with_settings(Key from, ReadBy pass) const {
+Key FrameState::with_settings(Key from, ReadBy pass, const Settings& values) {
     for (const Param& p : params())
-        if (is_read_by(p.read_by, pass) && idle_reason(settings, {&p, 0, {}}).empty())
-            add_value(from, settings, {&p, 0, {}});
+        if (is_read_by(p.read_by, pass) && idle_reason(values, {&p, 0, {}}).empty())
+            add_value(from, values, {&p, 0, {}});
     return from;
 }
 

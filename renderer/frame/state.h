@@ -182,7 +182,10 @@ struct FrameState {
     /// (Param::read_by). Settings without effect now are left out.
     /// @param from key to extend
     /// @param pass kind of pass
-    Key with_settings(Key from, ReadBy pass) const;
+    Key with_settings(Key from, ReadBy pass) const { return with_settings(std::move(from), pass, settings); }
+    /// Returns a cache key like with_settings() above, with the values of other settings than the frame's.
+    /// @param values settings whose values the key takes
+    static Key with_settings(Key from, ReadBy pass, const Settings& values);
     /// Returns the cache key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const { return surfaces_key().add(lights_key); }
     /// Returns lighting_key() for a pass that evaluates view.light alone.

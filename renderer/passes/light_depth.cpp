@@ -140,9 +140,10 @@ bool all_whole(const std::vector<MapCells>& regions) {
 }
 
 /// Returns the key of everything a light's maps depend on, except its casters.
-Key light_views_key(const FrameState& f, std::size_t light) {
+/// @param settings the frame's, or those of the unfiltered map
+Key light_views_key(const FrameState& f, std::size_t light, const Settings& settings) {
     const FittedLight& l = f.gl.fitted[light];
-    Key key = f.with_settings({}, ReadBy::Maps);
+    Key key = FrameState::with_settings({}, ReadBy::Maps, settings);
     key.add(f.map_layers()).add(f.request.forced.value());
     for (const LightView& v : l.views)
         key.add(v.clip_from_relative(l.map_origin))
@@ -176,7 +177,7 @@ std::string why_no_static_map(const FrameState& f) {
 StaticPlan choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
     using Draws = StaticCasters::Draws;
     StaticPlan work;
-    const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
+    const std::uint64_t views = light_views_key(f, light, f.settings).value(), geometry = f.geometry_key.value();
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
@@ -374,10 +375,21 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
         masks ? "; masked materials are drawn with their alpha test" : "; no masked material, so no alpha variant";
 }
 
+/// Returns the key of the unfiltered maps, which no polygon offset moves.
+Key unfiltered_key(const FrameState& f) {
+    Settings settings = f.settings;
+    settings.bias.raster_slope = settings.bias.raster_units = 0;
+    Key key;
+    key.add("unfiltered").add(f.geometry_key.value());
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        if (f.gl.fitted[i].casts) key.add(i).add(light_views_key(f, i, settings).value());
+    return key;
+}
+
 /// Returns true when some light's static map is still valid.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
-        if (f.gl.fitted[i].casts && t.static_states[i].casters.has_cache_for(light_views_key(f, i).value()))
+        if (f.gl.fitted[i].casts && t.static_states[i].casters.has_cache_for(light_views_key(f, i, f.settings).value()))
             return true;
     return false;
 }
@@ -408,7 +420,7 @@ void LightDepthPasses::declare(FrameState& f) {
         }
         // The upload of a given map stands for no work of the engine.
         if (f.imported(i)) pass.category = PassCategory::Tool;
-        Key key = light_views_key(f, i);
+        Key key = light_views_key(f, i, f.settings);
         if (!f.imported(i)) key.add(f.geometry_key);
         pass.key = key.value();
         pass.cached = &t.keys[i];
@@ -440,19 +452,22 @@ void UnfilteredMapPass::declare(FrameState& f) {
     DrawnMaps& t = light_depth_.maps();
     Pass pass{.name = "unfiltered map",
               .category = PassCategory::Tool,
-              .reads = {Result::DrawnMaps},
               .writes = {Result::UnfilteredMap},
               .idle_reason = "no output shows wrong pixels"};
-    if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
+    if (f.paged) {
+        pass.reads = {Result::DrawnMaps};
+        return pages_.declare_unfiltered(f, std::move(pass));
+    }
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place_result(Result::UnfilteredMap,
                         {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
+        pass.reads = {Result::DrawnMaps};
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
                                           : "equal to the map as drawn: no polygon offset, no mask with mip levels";
         if (f.view_count > 0) f.plan.release_later([&t] { t.unfiltered = {}; });
     } else {
-        pass.key = Key().add("unfiltered").value();
+        pass.key = unfiltered_key(f).value();
         pass.cached = &t.unfiltered.key;
         pass.run = [this, &f](PassInfo& info) { run(f, info); };
     }
