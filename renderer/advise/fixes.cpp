@@ -168,7 +168,8 @@ private:
 
 /// Reason why a trial is not called a fix although nothing but its time is unknown.
 constexpr const char* kNotTimed = "not timed: only the best fix is";
-constexpr double kMostBytes = 2;  ///< bytes of a fix's maps, as a multiple of the present ones
+constexpr double kMostBytes = 2;       ///< bytes of a fix's maps, as a multiple of the present ones
+constexpr double kMostDrawnBytes = 4;  ///< the same of maps that are drawn to see what they would put right
 /// Share of the wrong pixels that a fix puts right, from which on larger maps are not tried.
 constexpr double kEnoughRight = 0.8;
 
@@ -177,8 +178,9 @@ bool may_be_fix(const Trial& t) {
     return t.is_drawn() && (t.why_not.empty() || t.why_not == kNotTimed);
 }
 
-bool takes_too_many_bytes(std::uint64_t before, std::uint64_t with) {
-    return before > 0 && double(with) > kMostBytes * double(before);
+/// Returns true for maps of more than `most` times the present bytes; false if there are no maps now.
+bool takes_too_many_bytes(std::uint64_t before, std::uint64_t with, double most = kMostBytes) {
+    return before > 0 && double(with) > most * double(before);
 }
 
 /// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
@@ -216,7 +218,7 @@ public:
     FixSearcher(const Settings& base, const TrialMeter& meter, const FixOptions& options)
         : base_(base), meter_(meter), options_(options) {}
 
-    /// Rates a trial and keeps it. Times it if it is the first fix.
+    /// Rates a trial and keeps it. Times it in few rounds if it is the first fix.
     /// @param own own maps on which the trial was drawn; null: it was not
     void add(Trial t, const ErrorMetrics& before, const OwnMap* own = nullptr) {
         if (t.is_drawn()) {
@@ -224,40 +226,54 @@ public:
             // The whole change has to be a fix, and so has the step on own maps.
             if (own && t.why_not.empty()) t.why_not = why_no_fix(t, own->before.frame->metrics);
             if (own) own_ = &own->settings;
-            if (options_.time || (t.why_not.empty() && !table.fix())) limit_time(t);
+            if (options_.time) {
+                limit_time(t, Rounds::All);
+            } else if (t.why_not.empty() && !table.fix()) {
+                limit_time(t, Rounds::Few);
+                in_few_rounds_ = t.candidate.settings;
+            }
             if (t.why_not.empty() && !t.ms) t.why_not = kNotTimed;
         }
         insert(std::move(t));
     }
-    /// Returns the reason why a change is not drawn: its maps are too large for a fix, and a fix with smaller ones puts
-    /// most wrong pixels right. Empty: it is drawn.
+    /// Returns the reason why a change is not drawn: its maps are far too large for a fix; or they are too large, and a
+    /// fix with smaller ones puts most wrong pixels right. Empty: it is drawn.
     std::string why_too_large(const Candidate& c, std::uint64_t bytes) const {
-        const auto share_right = [&](const Trial& t) {
-            return double(t.cured) / double(std::max<std::size_t>(table.wrong, 1));
-        };
-        double most_right = 0;
-        for (const Trial& t : table.rows)
-            if (may_be_fix(t)) most_right = std::max(most_right, share_right(t));
-        if (!meter_.map_bytes || most_right < kEnoughRight) return {};
+        // Imported maps stay as they are; what needs others is told apart later.
+        if (!meter_.map_bytes || !c.settings.map.bundle.empty()) return {};
         const std::uint64_t with = meter_.map_bytes(c.settings);
         if (!takes_too_many_bytes(bytes, with)) return {};
+        const std::string more = map_bytes_text((long long)with - (long long)bytes);
+        if (takes_too_many_bytes(bytes, with, kMostDrawnBytes))
+            return fmt::format("maps would take more than {:g} times the bytes ({})", kMostDrawnBytes, more);
+        double most_right = 0;
+        for (const Trial& t : table.rows)
+            if (may_be_fix(t))
+                most_right = std::max(most_right, double(t.cured) / double(std::max<std::size_t>(table.wrong, 1)));
+        if (most_right < kEnoughRight) return {};
         return fmt::format(
             "maps would take more than twice the bytes ({}); a fix with smaller ones puts {:.0f} % of the wrong pixels "
             "right",
-            map_bytes_text((long long)with - (long long)bytes), 100 * most_right);
+            more, 100 * most_right);
     }
-    /// Times trials that leave less error than the fix, the best first, until one of them is the fix.
+    /// Times trials that leave less error than the fix, the best first, until one of them is the fix. The fix is timed
+    /// in all rounds.
     void time_better_ones() {
         for (;;) {
             const auto is_untimed = [&](const Trial& t) { return t.is_drawn() && t.why_not == kNotTimed; };
             // The rows of one rank are sorted.
-            const auto at = std::ranges::find_if(table.rows, is_untimed);
-            if (at == table.rows.end()) return;
-            Trial best = *at;
+            auto at = std::ranges::find_if(table.rows, is_untimed);
+            Trial best = at == table.rows.end() ? Trial() : *at;
             best.why_not.clear();
-            if (table.fix() && !is_better(best, *table.fix())) return;
+            const bool is_left = at != table.rows.end() && (!table.fix() || is_better(best, *table.fix()));
+            if (!is_left) {
+                if (!table.fix() || table.fix()->candidate.settings != in_few_rounds_) return;
+                in_few_rounds_.reset();
+                at = table.rows.begin();
+                best = *at;
+            }
             table.rows.erase(at);
-            limit_time(best);
+            limit_time(best, Rounds::All);
             insert(std::move(best));
         }
     }
@@ -268,6 +284,7 @@ private:
     const TrialMeter& meter_;
     const FixOptions& options_;
     const Settings* own_ = nullptr;                  ///< settings of the own maps, once known
+    std::optional<Settings> in_few_rounds_;          ///< settings of the first fix until it is timed in all rounds
     std::optional<CostChange> shadow_, own_shadow_;  ///< time of the shadow, once measured; on own maps
 
     void insert(Trial t) {
@@ -275,13 +292,17 @@ private:
         table.rows.insert(at, std::move(t));
     }
 
+    /// Rounds of frames that time a trial.
+    enum class Rounds { Few, All };
+
     /// Times a trial. A change that costs more than the shadow does is no fix.
-    void limit_time(Trial& t) {
+    void limit_time(Trial& t, Rounds rounds) {
         const Settings& base = t.on_own_map ? *own_ : base_;
-        if (!t.why_not.empty()) {
-            t.ms = meter_.time(base, t.candidate.settings);
-            return;
-        }
+        constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+        t.ms = rounds == Rounds::Few ? meter_.time_against(base, t.candidate.settings, kNoLimit)
+                                     : meter_.time(base, t.candidate.settings);
+        // The shadow itself is timed only for a change that costs time.
+        if (!t.why_not.empty() || !(t.ms->value > t.ms->noise)) return;
         std::optional<CostChange>& shadow = t.on_own_map ? own_shadow_ : shadow_;
         if (!shadow) {
             Settings unshadowed = base;
@@ -289,7 +310,6 @@ private:
             shadow = meter_.time(unshadowed, base);
         }
         const double limit = std::max(shadow->value, 0.0) + shadow->noise;
-        t.ms = meter_.time_against(base, t.candidate.settings, limit);
         if (t.ms->value > limit + t.ms->noise)
             t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow->value),
                                     digits_text(t.ms->value));
@@ -424,10 +444,7 @@ std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, F
     resolution(2.0 * f.map_resolution, "twice the resolution");
     if (f.sampling_resolution > 2.0 * f.map_resolution)
         resolution(f.sampling_resolution, "the resolution that is needed");
-    if (length == FixList::Whole) {
-        resolution(0.5 * f.map_resolution, "half the resolution");
-        resolution(4.0 * f.map_resolution, "four times the resolution");
-    }
+    if (length == FixList::Whole) resolution(0.5 * f.map_resolution, "half the resolution");
     add_fits(base, f, [&](const std::string& name, auto&& change, const std::string& untried = {}) {
         if (untried.empty())
             with_biases(name, change);
