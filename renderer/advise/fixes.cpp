@@ -239,7 +239,7 @@ public:
     /// Returns the reason why a change is not drawn: its maps are far too large for a fix; or they are too large, and a
     /// fix with smaller ones puts most wrong pixels right. Empty: it is drawn.
     std::string why_too_large(const Candidate& c, std::uint64_t bytes) const {
-        // Imported maps stay as they are; what needs others is told apart later.
+        // Imported maps stay as they are: try_candidate() refuses changes that need others.
         if (!meter_.map_bytes || !c.settings.map.bundle.empty()) return {};
         const std::uint64_t with = meter_.map_bytes(c.settings);
         if (!takes_too_many_bytes(bytes, with)) return {};
@@ -505,7 +505,9 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
         const OwnMap* const drawn_on = t.on_own_map ? &*own_map : nullptr;
         search.add(std::move(t), error, drawn_on);
         if (shown) shown(table);
-        return ++tried < enough || !table.fix();
+        if (++tried < enough) return true;
+        search.time_better_ones();
+        return !table.fix();
     });
     try {
         if (!table.stopped) search.time_better_ones();

@@ -42,7 +42,8 @@ public:
         };
         meter.map_bytes = [this](const Settings& s) { return effect(s).bytes; };
     }
-    FixTable search() {
+    /// @param enough trials after which the search ends at the first fix
+    FixTable search(std::size_t enough = std::numeric_limits<std::size_t>::max()) {
         std::vector<Candidate> list;
         for (std::size_t i = 1; i < effects_.size(); ++i) {
             list.push_back({.name = std::to_string(i), .settings = {}});
@@ -50,7 +51,7 @@ public:
         }
         Settings base;
         base.bias.constant = 0;
-        return search_fixes(base, measured(base), std::move(list), meter, {});
+        return search_fixes(base, measured(base), std::move(list), meter, {}, {}, {}, enough);
     }
     TrialMeter meter;
     std::vector<int> drawn, timed;
@@ -152,6 +153,15 @@ TEST(FixSearch, TheFirstFixIsNoneIfAllRoundsFindItTooSlow) {
     ASSERT_TRUE(table.fix());
     EXPECT_EQ(table.fix()->candidate.name, "2");
     EXPECT_NE(row_of(table, "1").why_not.find("ms more"), std::string::npos) << row_of(table, "1").why_not;
+}
+
+TEST(FixSearch, GoesOnIfAllRoundsRefuseTheFixAtWhichItWouldEnd) {
+    MadeUpFrames frames({{100}, {50, 40}, {60}, {40}});
+    frames.meter.time_to_limit = [](const Settings&, const Settings&, double) { return CostChange{0, 30}; };
+    const FixTable table = frames.search(1);
+    EXPECT_EQ(frames.drawn, (std::vector<int>{1, 2})) << "ends at the second one, which is a fix";
+    ASSERT_TRUE(table.fix());
+    EXPECT_EQ(table.fix()->candidate.name, "2");
 }
 
 TEST(FixSearch, AStoppedSearchHasTheFirstFix) {
