@@ -49,5 +49,26 @@ TEST_F(RasterOffset, UnitsAreThoseOfTheTrianglesGreatestDepth) {
         }
 }
 
+TEST_F(RasterOffset, ChangesOfItKeepTheUnfilteredMap) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 256, 0);
+    FrameRequest request = small_request();
+    request.outputs.unfiltered_map = true;
+    const auto state = [&] { return renderer.render(scene, s, request).pass("unfiltered map")->state; };
+    s.bias.raster_units = 100;
+    EXPECT_EQ(state(), PassState::Drawn);
+    s.bias.raster_units = 200;
+    s.bias.raster_slope = 2;
+    const FrameResult moved = renderer.render(scene, s, request);
+    EXPECT_EQ(moved.pass("unfiltered map")->state, PassState::Cached);
+    EXPECT_EQ(moved.pass("shadow map 0 (directional)")->state, PassState::Drawn) << "polygon offset moves its depths";
+    s.map.resolution = 128;
+    EXPECT_EQ(state(), PassState::Drawn);
+    s.lights[0].azimuth += 20;
+    EXPECT_EQ(state(), PassState::Drawn);
+    s.caster.cull = Cull::Front;
+    EXPECT_EQ(state(), PassState::Drawn);
+}
+
 }  // namespace
 }  // namespace si
