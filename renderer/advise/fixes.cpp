@@ -257,24 +257,15 @@ public:
             more, 100 * most_right);
     }
     /// Times trials that leave less error than the fix, the best first, until one of them is the fix. The fix is timed
-    /// in all rounds.
+    /// in all rounds. @throws Cancelled; the table then has all its rows
     void time_better_ones() {
-        for (;;) {
-            const auto is_untimed = [&](const Trial& t) { return t.is_drawn() && t.why_not == kNotTimed; };
-            // The rows of one rank are sorted.
-            auto at = std::ranges::find_if(table.rows, is_untimed);
-            Trial best = at == table.rows.end() ? Trial() : *at;
-            best.why_not.clear();
-            const bool is_left = at != table.rows.end() && (!table.fix() || is_better(best, *table.fix()));
-            if (!is_left) {
-                if (!table.fix() || table.fix()->candidate.settings != in_few_rounds_) return;
-                in_few_rounds_.reset();
-                at = table.rows.begin();
-                best = *at;
-            }
+        for (auto at = next_to_time(); at != table.rows.end(); at = next_to_time()) {
+            Trial t = *at;
+            t.why_not.clear();
+            limit_time(t, Rounds::All);
+            if (t.candidate.settings == in_few_rounds_) in_few_rounds_.reset();
             table.rows.erase(at);
-            limit_time(best, Rounds::All);
-            insert(std::move(best));
+            insert(std::move(t));
         }
     }
     FixTable table;
@@ -290,6 +281,21 @@ private:
     void insert(Trial t) {
         const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
         table.rows.insert(at, std::move(t));
+    }
+
+    /// Returns the trial to time next: the best untimed one if it leaves less error than the fix, else the fix if it
+    /// was timed in few rounds. The end of the rows: none.
+    std::vector<Trial>::iterator next_to_time() {
+        const auto is_untimed = [](const Trial& t) { return t.is_drawn() && t.why_not == kNotTimed; };
+        // The rows of one rank are sorted.
+        const auto at = std::ranges::find_if(table.rows, is_untimed);
+        if (at != table.rows.end()) {
+            Trial best = *at;
+            best.why_not.clear();
+            if (!table.fix() || is_better(best, *table.fix())) return at;
+        }
+        const bool is_open = table.fix() && table.fix()->candidate.settings == in_few_rounds_;
+        return is_open ? table.rows.begin() : table.rows.end();
     }
 
     /// Rounds of frames that time a trial.

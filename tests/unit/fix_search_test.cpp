@@ -177,5 +177,18 @@ TEST(FixSearch, AStoppedSearchHasTheFirstFix) {
     EXPECT_EQ(table.rows.size(), 2u);
 }
 
+TEST(FixSearch, KeepsAllRowsWhenStoppedWhileTiming) {
+    for (const int last : {1, 2}) {
+        MadeUpFrames frames({{100}, {50}, {last == 1 ? 60u : 10u}});
+        frames.meter.time_to_limit = [](const Settings&, const Settings&, double) { return CostChange{0, 30}; };
+        frames.meter.time = [](const Settings&, const Settings&) -> CostChange { throw Cancelled(); };
+        const FixTable table = frames.search();
+        EXPECT_TRUE(table.stopped);
+        EXPECT_EQ(table.rows.size(), 2u) << "stopped while trial " << last << " was timed";
+        ASSERT_TRUE(table.fix());
+        EXPECT_EQ(table.fix()->candidate.name, "1");
+    }
+}
+
 }  // namespace
 }  // namespace si
