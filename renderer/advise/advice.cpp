@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -89,8 +88,7 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
     // A change whose error refutes its claim is not timed. One that lowers the error holds at any time: few rounds tell
     // its price.
     const auto time = [&](const Trial& t) {
-        constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-        return lowers_error(t) ? meter.time_against(settings, t.candidate.settings, kNoLimit)
+        return lowers_error(t) ? meter.time_in_few_rounds(settings, t.candidate.settings)
                                : meter.time(settings, t.candidate.settings);
     };
     const auto rate = [&](Trial& t) {

@@ -304,8 +304,7 @@ private:
     /// Times a trial. A change that costs more than the shadow does is no fix.
     void limit_time(Trial& t, Rounds rounds) {
         const Settings& base = t.on_own_map ? *own_ : base_;
-        constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-        t.ms = rounds == Rounds::Few ? meter_.time_against(base, t.candidate.settings, kNoLimit)
+        t.ms = rounds == Rounds::Few ? meter_.time_in_few_rounds(base, t.candidate.settings)
                                      : meter_.time(base, t.candidate.settings);
         // The shadow itself is timed only for a change that costs time.
         if (!t.why_not.empty() || !(t.ms->value > t.ms->noise)) return;

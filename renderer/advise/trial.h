@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -87,9 +88,11 @@ struct TrialMeter {
     /// Draws one frame of a candidate, without a reference. @throws Cancelled
     std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
     std::function<double()> now_s = nullptr;  ///< present time in seconds, by any clock
-    /// Times by time_to_limit, or by `time` where a meter lacks it.
-    CostChange time_against(const Settings& before, const Settings& with, double limit_ms) const {
-        return time_to_limit ? time_to_limit(before, with, limit_ms) : time(before, with);
+    /// Times in the fewest rounds, as every change is surely below an infinite limit. By `time` where a meter lacks
+    /// time_to_limit.
+    CostChange time_in_few_rounds(const Settings& before, const Settings& with) const {
+        constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+        return time_to_limit ? time_to_limit(before, with, kNoLimit) : time(before, with);
     }
 };
 
