@@ -452,21 +452,19 @@ void UnfilteredMapPass::declare(FrameState& f) {
     DrawnMaps& t = light_depth_.maps();
     Pass pass{.name = "unfiltered map",
               .category = PassCategory::Tool,
+              .reads = {Result::DrawnMaps},
               .writes = {Result::UnfilteredMap},
               .idle_reason = "no output shows wrong pixels"};
-    if (f.paged) {
-        pass.reads = {Result::DrawnMaps};
-        return pages_.declare_unfiltered(f, std::move(pass));
-    }
+    if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place_result(Result::UnfilteredMap,
                         {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
-        pass.reads = {Result::DrawnMaps};
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
                                           : "equal to the map as drawn: no polygon offset, no mask with mip levels";
         if (f.view_count > 0) f.plan.release_later([&t] { t.unfiltered = {}; });
     } else {
+        pass.reads.clear();  // the map is drawn anew, and is kept when only polygon offset moves the others
         pass.key = unfiltered_key(f).value();
         pass.cached = &t.unfiltered.key;
         pass.run = [this, &f](PassInfo& info) { run(f, info); };
