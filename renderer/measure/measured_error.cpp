@@ -42,8 +42,7 @@ MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& fram
 
 void sum_error_metrics(MeasuredError& measured, const Workers& workers) {
     find_leaks(measured, workers);
-    measured.metrics =
-        error_metrics(measured.classified, *measured.traced.reference, same_surface_bits(*measured.traced.receivers));
+    measured.metrics = error_metrics(measured.classified, *measured.traced.reference, measured.traced.receivers.get());
     if (!measured.pictures) return;
     const PicturePair pair = *std::exchange(measured.pictures, std::nullopt);
     measured.metrics.flip = flip_difference(pair.drawn, pair.by_reference, kFlipPixelsPerDegree, workers).mean;

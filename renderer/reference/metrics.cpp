@@ -15,18 +15,19 @@ namespace {
 
 /// Returns the pixels on either side of a change between lit and dark on one surface.
 template <typename Dark>
-std::vector<std::uint8_t> contour(const Reference& reference, const std::vector<std::uint8_t>& joins, Dark&& dark) {
+std::vector<std::uint8_t> contour(const Reference& reference, const Receivers* receivers, Dark&& dark) {
     const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
     std::vector<std::uint8_t> out(w * h, 0);
     const auto counts = [&](std::size_t i) { return reference.state[i] == PixelState::Counted; };
-    const auto step = [&](std::size_t i, std::size_t k, std::uint8_t bit) {
-        if (!counts(i) || !counts(k) || (!joins.empty() && !(joins[i] & bit))) return;
-        if (dark(i) != dark(k)) out[i] = out[k] = 1;
+    // Few neighbours differ, so that is compared first.
+    const auto step = [&](std::size_t i, std::size_t k, bool Receiver::*same_surface) {
+        if (dark(i) == dark(k) || !counts(i) || !counts(k)) return;
+        if (!receivers || receivers->pixels[i].*same_surface) out[i] = out[k] = 1;
     };
     for (std::size_t y = 0; y < h; ++y)
         for (std::size_t x = 0; x < w; ++x) {
-            if (x + 1 < w) step(y * w + x, y * w + x + 1, 1);
-            if (y + 1 < h) step(y * w + x, (y + 1) * w + x, 2);
+            if (x + 1 < w) step(y * w + x, y * w + x + 1, &Receiver::same_surface_right);
+            if (y + 1 < h) step(y * w + x, (y + 1) * w + x, &Receiver::same_surface_below);
         }
     return out;
 }
@@ -415,13 +416,6 @@ std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified) {
     return out;
 }
 
-std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers) {
-    std::vector<std::uint8_t> out(receivers.pixels.size());
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = std::uint8_t(receivers.pixels[i].same_surface_right | receivers.pixels[i].same_surface_below << 1);
-    return out;
-}
-
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
     ErrorMetrics m;
     m.pixels = reference.pixels;
@@ -448,7 +442,7 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
 }
 
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
-                           const std::vector<std::uint8_t>& joins) {
+                           const Receivers* receivers) {
     if (classified.size() != reference.state.size())
         throw Error(fmt::format("{} classified pixels cannot be compared with a reference of {} x {}",
                                 classified.size(), reference.width, reference.height));
@@ -472,8 +466,8 @@ ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const
         sums.within_noise += p.has(J::kWithinNoise);
     }
     ErrorMetrics m = metrics_of(sums, reference);
-    const auto drawn = contour(reference, joins, [&](std::size_t i) { return classified[i].visibility < 0.5f; });
-    const auto real = contour(reference, joins, [&](std::size_t i) { return reference.visibility.data[i] < 0.5f; });
+    const auto drawn = contour(reference, receivers, [&](std::size_t i) { return classified[i].visibility < 0.5f; });
+    const auto real = contour(reference, receivers, [&](std::size_t i) { return reference.visibility.data[i] < 0.5f; });
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = 0;
     contour_distances(m, drawn, real, reference.width, reference.height, reference.step);
     return m;

@@ -54,10 +54,6 @@ ReferencePixel reference_pixel(const Reference& reference, std::size_t i);
 /// @param classified image of two channels, one texel for each pixel of the reference (ReferenceOptions::step)
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
-/// Returns two bits for each pixel: its right (bit 0) and its lower (bit 1) neighbour show the same surface. A change
-/// of visibility between two such pixels is a shadow edge, not the outline of an object.
-std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
-
 /// Error metrics of a picture's visibility V against the reference R over the n counted pixels (PixelState::Counted).
 /// metrics() has a row that describes each number. A visibility below 0.5 is shadow. Fractions are of n, and 0 when n
 /// is 0. False shadow and false light are the sums of their parts. `flip` compares pictures over all pixels.
@@ -132,9 +128,10 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
 /// Computes error metrics from classified pixels and their reference.
 /// @param classified the class of each pixel of the reference
-/// @param joins same_surface_bits(), or empty: all neighbours show the same surface
+/// @param receivers surface points of the reference's pixels: a change between lit and dark is a shadow edge only
+/// between neighbours that show the same surface. Null: all do.
 /// @throws Error when sizes differ
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
-                           const std::vector<std::uint8_t>& joins = {});
+                           const Receivers* receivers = nullptr);
 
 }  // namespace si

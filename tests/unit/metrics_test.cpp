@@ -169,10 +169,13 @@ TEST(Metrics, MeasureContourDistance) {
     EXPECT_EQ(far.boundary_px_max, 8);
     EXPECT_EQ(far.boundary_px_p95, 8);
     // Borders between two surfaces of the picture are no contours.
-    std::vector<std::uint8_t> joins(96, 3);
-    for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
+    Receivers receivers{.width = 12, .height = 8, .pixels = BigArray<Receiver>(96)};
+    for (std::size_t i = 0; i < 96; ++i) {
+        receivers.pixels[i].same_surface_right = i % 12 != 3;
+        receivers.pixels[i].same_surface_below = true;
+    }
     EXPECT_TRUE(std::isnan(
-        error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows), joins).boundary_px_mean));
+        error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows), &receivers).boundary_px_mean));
     EXPECT_THROW(error_metrics({}, reference_of(rows)), Error);
 }
 
