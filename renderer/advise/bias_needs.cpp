@@ -8,6 +8,7 @@
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {
@@ -100,12 +101,21 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
+std::size_t count_lit_receivers(const MeasuredError& measured) {
+    std::size_t lit = 0;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver&) { ++lit; });
+    return lit;
+}
+
 /// Returns an even sample of the receivers of each_lit_receiver(), `most` at most.
-std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured, std::size_t most) {
-    std::vector<const Receiver*> all, sample;
-    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) { all.push_back(&r); });
-    const std::size_t stride = all.size() / most + 1;
-    for (std::size_t i = 0; i < all.size(); i += stride) sample.push_back(all[i]);
+/// @param lit number of those receivers
+std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured, std::size_t lit, std::size_t most) {
+    const std::size_t stride = lit / most + 1;
+    std::vector<const Receiver*> sample;
+    std::size_t at = 0;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
+        if (at++ % stride == 0) sample.push_back(&r);
+    });
     return sample;
 }
 
@@ -166,9 +176,7 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 }  // namespace
 
 bool has_lit_receivers(const MeasuredError& measured) {
-    bool any = false;
-    each_lit_receiver(measured, [&](std::size_t, const Receiver&) { any = true; });
-    return any;
+    return count_lit_receivers(measured) > 0;
 }
 
 double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws) {
@@ -179,17 +187,25 @@ double pixel_m(const Camera& camera, double depth_m, int lines) {
     return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
 }
 
-BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& r,
-                                      const RasterTraits& driver) {
-    const ReferenceGeometry& geometry = measured.traced.scene->geometry();
-    const Cull cull = measured.traced.reference->traits[r.object].cull;
+MeasuredBias::MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver)
+    : measured_(measured),
+      settings_(settings),
+      driver_(driver),
+      origin_ws_(shader_origin(settings, measured.camera.origin())),
+      kernel_reach_texels_(
+          kernel_reach_in_light(settings, measured.lights[std::size_t(measured.light)], measured.map_size).bias) {}
+
+BiasBreakdown MeasuredBias::breakdown(const Receiver& r) const {
+    const ReferenceGeometry& geometry = measured_.traced.scene->geometry();
+    const Cull cull = measured_.traced.reference->traits[r.object].cull;
     const SurfacePoint point{.position_ws = r.position_ws,
                              .geometric = r.normal_ws,
                              .bias_normal = r.normal_ws,
-                             .origin_ws = shader_origin(settings, measured.camera.origin()),
+                             .origin_ws = origin_ws_,
                              .in_map = geometry.objects[r.object].casts && cull != (r.front ? Cull::Front : Cull::Back),
                              .corners_ws = geometry.triangle(r.object, r.primitive)};
-    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_size, point, driver);
+    return bias_breakdown(measured_.lights[std::size_t(measured_.light)], settings_, measured_.map_size, point, driver_,
+                          kernel_reach_texels_);
 }
 
 BiasSettings scale_bias(const BiasSettings& bias, double factor) {
@@ -209,17 +225,18 @@ BiasSettings scale_bias(const BiasSettings& bias, double factor) {
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
     BiasNeeds out;
     if (!measured.lights[std::size_t(measured.light)].casts) return out;
+    const MeasuredBias bias(measured, settings, driver);
     each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
         ++out.pixels;
         const ClassifiedPixel& pixel = measured.classified[i];
         if (!pixel.has(ClassifiedPixel::kAnyAcne) || pixel.visibility < 0.5f) return;
-        const BiasBreakdown a = measured_bias_breakdown(measured, settings, r, driver);
+        const BiasBreakdown a = bias.breakdown(r);
         if (!a.in_map) return;  // needs no bias
         ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
     });
     std::vector<double> gaps, shifts;
-    for (const Receiver* r : sampled_receivers(measured, kGapSample)) {
-        const BiasBreakdown a = measured_bias_breakdown(measured, settings, *r, driver);
+    for (const Receiver* r : sampled_receivers(measured, out.pixels, kGapSample)) {
+        const BiasBreakdown a = bias.breakdown(*r);
         if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.offset_shift_m());
@@ -237,11 +254,12 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     least.bias = without_amounts(row, settings.bias);
     // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
-    const std::vector<const Receiver*> receivers = sampled_receivers(measured, kSample);
+    const MeasuredBias without(measured, least, driver);
+    const std::vector<const Receiver*> receivers = sampled_receivers(measured, count_lit_receivers(measured), kSample);
     if (std::ranges::find(row.settings, "bias.slope") != row.settings.end()) {
         std::vector<Need> needs;
         for (const Receiver* r : receivers) {
-            const BiasBreakdown a = measured_bias_breakdown(measured, least, *r, driver);
+            const BiasBreakdown a = without.breakdown(*r);
             const double total = a.amount(a.least.total()).texels;
             if (a.in_map && std::isfinite(total) && !a.plane.edge_on())
                 needs.push_back({total, std::clamp(a.receiver.n_dot_l, 0.0, 1.0),
@@ -254,18 +272,19 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     std::vector<double> max_effect(amounts.size());
     std::vector<Settings> one(amounts.size(), least);
     for (std::size_t k = 0; k < amounts.size(); ++k) set_value(one[k], amounts[k], 1.0);
+    std::vector<MeasuredBias> with_one;
+    for (const Settings& s : one) with_one.emplace_back(measured, s, driver);
     struct At {
         double need, kernel;
         std::vector<double> effect;
     };
     std::vector<At> pixels;
     for (const Receiver* r : receivers) {
-        const BiasBreakdown none = measured_bias_breakdown(measured, least, *r, driver);
+        const BiasBreakdown none = without.breakdown(*r);
         At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
         if (!none.in_map || !std::isfinite(at.need) || none.plane.edge_on()) continue;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.effect.push_back(measured_bias_breakdown(measured, one[k], *r, driver).equivalent_depth() -
-                                none.equivalent_depth());
+            at.effect.push_back(with_one[k].breakdown(*r).equivalent_depth() - none.equivalent_depth());
             max_effect[k] = std::max(max_effect[k], at.effect.back());
         }
         pixels.push_back(std::move(at));

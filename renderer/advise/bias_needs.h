@@ -43,11 +43,23 @@ double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
 /// @param lines height of the picture in pixels
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
-/// Computes the depth bias that settings give to the surface point of one pixel of a measured frame, by setting, and
-/// the least bias that avoids acne there.
-/// @param settings settings with the bias to examine, which need not be that of the frame
-BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
-                                      const RasterTraits& driver);
+/// Bias of the pixels of a measured frame. Refers to all that it is made of.
+class MeasuredBias {
+public:
+    /// Refers to a frame and to settings.
+    /// @param settings settings with the bias to examine, which need not be that of the frame
+    MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+    /// Computes the depth bias that the settings give to the surface point of one pixel, by setting, and the least bias
+    /// that avoids acne there.
+    BiasBreakdown breakdown(const Receiver& receiver) const;
+
+private:
+    const MeasuredError& measured_;
+    const Settings& settings_;
+    const RasterTraits& driver_;
+    glm::dvec3 origin_ws_;  ///< of positions in shaders
+    double kernel_reach_texels_;
+};
 
 /// Computes the least settings of one kind of bias (row of the bias table) under which 999 of 1000 pixels that can show
 /// acne have enough bias. Uses an even sample of the pixels that bias_needs() considers. Amounts are in texels where

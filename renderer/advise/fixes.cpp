@@ -21,11 +21,12 @@ namespace {
 /// Returns the map resolution at which 95 % of the undersampled pixels have narrow enough texels.
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
+    const MeasuredBias bias(m, settings, driver);
     std::vector<double> wanted;
     for (std::size_t i = 0; i < m.classified.size(); ++i) {
         if (m.classified[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const BiasBreakdown a = measured_bias_breakdown(m, settings, r, driver);
+        const BiasBreakdown a = bias.breakdown(r);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Finer texels make room for a right bias where even one nearest tap has none.

@@ -65,7 +65,7 @@ double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
 }
 
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size, const SurfacePoint& p,
-                             const RasterTraits& driver) {
+                             const RasterTraits& driver, std::optional<double> kernel_reach_texels) {
     const BiasSettings& bias = settings.bias;
     const Bias& row = bias_of(settings);
     BiasBreakdown a;
@@ -83,7 +83,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
                 .per_texel = a.plane.gradient / size.texels(),
                 .quantum = depth_quantum(settings.map.format, view.curve, greatest_depth(view, p, r.uvd.z))};
-    const double kappa = kernel_reach_in_light(settings, light, size).bias;
+    const double kappa = kernel_reach_texels ? *kernel_reach_texels : kernel_reach_in_light(settings, light, size).bias;
     const double extent = extent_m(light, r, size, p);
     a.in_map = p.in_map && (view.curve.convention.reversed ? r.uvd.z <= 1 : r.uvd.z >= 0);
     a.least = least_bias(a.plane.gradient, kappa, size, depth_quantum(settings.map.format, view.curve, r.uvd.z),

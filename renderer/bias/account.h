@@ -87,7 +87,9 @@ struct BiasBreakdown {
 /// bias that avoids acne there.
 /// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
+/// @param kernel_reach_texels kernel_reach_in_light().bias, the same for all points; none: is computed
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size,
-                             const SurfacePoint& point, const RasterTraits& driver);
+                             const SurfacePoint& point, const RasterTraits& driver,
+                             std::optional<double> kernel_reach_texels = {});
 
 }  // namespace si
