@@ -25,7 +25,7 @@ default_stages=(
   "recipe:the recipe for a filter kernel, followed by its page"
 )
 more_stages=(
-  "slow:tests that take longer than eight seconds each"
+  "slow:tests that take longer than three seconds each"
   "frames:frames of other programs that RenderDoc captured"
   "window:the editor in windows of its own"
   "engines:engines of others: bundles of three.js, and shadows of every engine of tests/proof against this program's"

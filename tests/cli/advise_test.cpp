@@ -45,6 +45,7 @@ TEST(AdviseCommand, PrintsOnlyAdviceThatHoldsAndAppliesOne) {
         EXPECT_TRUE(row["severity"] == "error" || row["severity"] == "warning" || row["severity"] == "hint");
 }
 
+SI_TEST_IS(Later, AdviseCommand, AutopilotWritesAPresetWithinItsBound);
 TEST(AdviseCommand, AutopilotWritesAPresetWithinItsBound) {
     const fs::path preset = fresh_test_folder() / "cheap.json";
     const Json json = program_json(

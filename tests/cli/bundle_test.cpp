@@ -238,6 +238,7 @@ TEST(BundleCommand, ABiasThatIsEnteredCounts) {
 }
 
 // A sweep begins at the settings of the bundle, and so do other searches.
+SI_TEST_IS(Later, BundleCommand, ASweepBeginsAtTheSettingsOfTheBundle);
 TEST(BundleCommand, ASweepBeginsAtTheSettingsOfTheBundle) {
     const Words scene =
         "boxes --set map.resolution=128 --set filter.kernel=pcf3 --set bias.kind=constant --set bias.constant=0.3 "

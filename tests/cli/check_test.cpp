@@ -81,6 +81,7 @@ TEST(Check, LimitsAreOnTheNumbersOfMeasure) {
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
+SI_TEST_IS(Later, Check, TheReferenceIsHardUnlessAreaIsGiven);
 TEST(Check, TheReferenceIsHardUnlessAreaIsGiven) {
     const fs::path folder = fresh_test_folder();
     const std::string options = "check boxes --size 32x18 --max-wrong 100% --json ";
@@ -93,6 +94,7 @@ TEST(Check, TheReferenceIsHardUnlessAreaIsGiven) {
     EXPECT_EQ(standard["height"], 360);
 }
 
+SI_TEST_IS(Later, Check, ABaselineIsKeptByTheSamePictureAndExceededByAWorseOne);
 TEST(Check, ABaselineIsKeptByTheSamePictureAndExceededByAWorseOne) {
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(check_acne("--write-baseline base.json", folder).out, "wrote base.json\n");
@@ -108,6 +110,7 @@ TEST(Check, ABaselineIsKeptByTheSamePictureAndExceededByAWorseOne) {
     EXPECT_FALSE(fs::exists(folder / "other.json"));
 }
 
+SI_TEST_IS(Later, Check, ABaselineOfOtherCircumstancesCannotBeCompared);
 TEST(Check, ABaselineOfOtherCircumstancesCannotBeCompared) {
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(check_acne("--write-baseline base.json", folder).code, 0);
@@ -265,6 +268,7 @@ TEST(Check, ACaptureThatCannotBeOpenedLeavesNothing) {
     EXPECT_NE(nowhere.err.find("set TMPDIR"), std::string::npos) << nowhere.err;
 }
 
+SI_TEST_IS(Later, Check, TheScriptOfTheDocumentsChecksAFolder);
 TEST(Check, TheScriptOfTheDocumentsChecksAFolder) {
     const fs::path folder = fresh_test_folder();
     fs::create_directory(folder / "frames");

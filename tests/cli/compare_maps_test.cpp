@@ -51,6 +51,7 @@ TEST(CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference) {
     }
 }
 
+SI_TEST_IS(Later, CompareMaps, ACasterThatTheMapLacksIsNamed);
 TEST(CompareMaps, ACasterThatTheMapLacksIsNamed) {
     const auto folder = exported_boxes("--set map.resolution=128 --set object.Boxes/Tower.cast=false");
     const Words command = "compare-maps boxes.bundle --set object.Boxes/Tower.cast=true";

@@ -6,6 +6,7 @@
 
 #include "tests/support/flip_pairs.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -80,6 +81,7 @@ TEST_F(ComparePictures, NamesTheFileThatCannotBeCompared) {
 const Words kAcne =
     "boxes --size 128x72 --set filter.kernel=hard --set bias.kind=constant --set bias.constant=0 --set bias.normal=0";
 
+SI_TEST_IS(Later, MeasuredFlip, IsPrintedAndIsThatOfTheDrawnPictures);
 TEST(MeasuredFlip, IsPrintedAndIsThatOfTheDrawnPictures) {
     const auto folder = fresh_test_folder();
     const Json error = program_json("measure --no-time" + kAcne)["error"];

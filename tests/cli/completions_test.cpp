@@ -12,6 +12,7 @@
 
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -134,6 +135,7 @@ TEST(Completions, OfBashAreCommandsAndValues) {
     EXPECT_TRUE(offers[11].contains("peter-panning"));
 }
 
+SI_TEST_IS(Later, Completions, OfFishAreTheOptionsOfHelp);
 TEST(Completions, OfFishAreTheOptionsOfHelp) {
     if (run_shell("command -v fish").code != 0) GTEST_SKIP() << test::kMissingReason << "fish";
     const auto folder = fresh_test_folder();

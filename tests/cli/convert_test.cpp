@@ -8,6 +8,7 @@
 #include "app/convert/targets.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -41,6 +42,7 @@ TEST_F(ConvertCommand, WritesEveryTarget) {
     }
 }
 
+SI_TEST_IS(Later, ConvertCommand, MeasuresTheScene);
 TEST_F(ConvertCommand, MeasuresTheScene) {
     const Words boxes = "convert p.json --to three --size 96x54 --no-time --json";
     const auto json = program_json(boxes, folder_);

@@ -17,6 +17,7 @@
 #include "tests/support/golden.h"
 #include "tests/support/process.h"
 #include "tests/support/source_tree.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -47,6 +48,7 @@ std::pair<std::string, std::vector<double>> parts_of(const std::string& line) {
     return {m[1], {std::stod(m[2]), std::stod(m[3]), std::stod(m[4]), std::stod(m[5])}};
 }
 
+SI_TEST_IS(Later, DocsTechniques, RedrawnRowEqualsTheRowOfThePage);
 TEST(DocsTechniques, RedrawnRowEqualsTheRowOfThePage) {
     if (run_program("info").out.find("llvmpipe") == std::string::npos)
         GTEST_SKIP() << "the page's pictures are llvmpipe's";

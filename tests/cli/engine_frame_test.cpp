@@ -9,6 +9,7 @@
 
 #include "renderer/gltf/image_decode.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -45,6 +46,7 @@ TEST(EngineFramePage, ShowsEachPictureWithTheCommandThatDrawsIt) {
 }
 
 // Pixels on edges may differ by driver.
+SI_TEST_IS(Later, EngineFramePage, PicturesAreThoseThatTheCommandsDraw);
 TEST(EngineFramePage, PicturesAreThoseThatTheCommandsDraw) {
     const fs::path folder = fresh_test_folder();
     const fs::path build = fs::path(SI_BUNDLE_WRITERS).parent_path();

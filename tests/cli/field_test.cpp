@@ -60,6 +60,7 @@ TEST(FieldReports, ACulledCardIsNamedAndItsFixBreaksNothing) {
     EXPECT_LT(card["cures"][0]["broken_px"], card["cures"][0]["cured_px"].get<int>() / 20);
 }
 
+SI_TEST_IS(Later, FieldReports, ACasterBeforeTheNearPlaneIsNamedWithAFix);
 TEST(FieldReports, ACasterBeforeTheNearPlaneIsNamedWithAFix) {
     const Json crate =
         probe(field("crate"),
@@ -87,6 +88,7 @@ TEST(FieldReports, VarianceOfALongRangeBleeds) {
     EXPECT_EQ(bim["error"]["artefacts"]["leak"], 0);
 }
 
+SI_TEST_IS(Later, FieldReports, WhatCastsNothingAndWhatHasNoEffectIsSaid);
 TEST(FieldReports, WhatCastsNothingAndWhatHasNoEffectIsSaid) {
     const ProcessResult leaf = run_program("measure" + field("leaf") + "--no-time --size 160x90");
     EXPECT_TRUE(says(leaf.err, "LeavesBlend casts no shadow: its material blends")) << leaf.err;

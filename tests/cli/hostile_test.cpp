@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -198,6 +199,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, InputsAsOutputs, AreRefusedByEveryCommand);
 TEST_F(InputsAsOutputs, AreRefusedByEveryCommand) {
     const Words quick = "--size 16x12";
     for (const char* name : {"m.gltf", "hard.gltf", "link.gltf"}) expect_refused("export m.gltf -o" + Words{name});

@@ -8,6 +8,7 @@
 
 #include "renderer/bundle/bundle_json.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -38,6 +39,7 @@ protected:
     Json fit_;
 };
 
+SI_TEST_IS(Later, ImportMap, OwnMapsAreReadByTheirMatrixAlone);
 TEST_F(ImportMap, OwnMapsAreReadByTheirMatrixAlone) {
     const struct {
         const char* image;

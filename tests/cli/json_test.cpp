@@ -170,6 +170,7 @@ TEST(Report, HoldsSceneSettingsFitAndPasses) {
     EXPECT_FALSE(report["clock"].get<std::string>().empty());
 }
 
+SI_TEST_IS(Later, Report, MatricesAreRowsAndAgreeWithTheProbe);
 TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
     const auto folder = fresh_test_folder();
     const Words view = "boxes --size 64x48 --set light.type=spot --set light.azimuth=20";
@@ -301,6 +302,7 @@ TEST(List, PrintsPresetsInColumns) {
     EXPECT_EQ(found, presets.size());
 }
 
+SI_TEST_IS(Later, HardCases, AreListedAndOpenByNameAsSceneAndAsPreset);
 TEST(HardCases, AreListedAndOpenByNameAsSceneAndAsPreset) {
     const Json list = program_json("list hard-cases");
     EXPECT_EQ(list.size(), hard_cases().size());

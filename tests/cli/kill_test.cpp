@@ -15,6 +15,7 @@
 #include "app/sweep/journal.h"
 #include "tests/support/environment_number.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -117,6 +118,7 @@ TEST_F(Killed, DrawingAPictureLeavesAWholeFile) {
     });
 }
 
+SI_TEST_IS(Later, Killed, ReportIsWhole);
 TEST_F(Killed, ReportIsWhole) {
     const Words words = "render boxes -o a.png --size 64x48 --report r.json --set map.resolution=64";
     time(words, words);
@@ -129,6 +131,7 @@ TEST_F(Killed, ReportIsWhole) {
     }
 }
 
+SI_TEST_IS(Later, Killed, BakedMapIsWholeOrMissing);
 TEST_F(Killed, BakedMapIsWholeOrMissing) {
     const auto words = [](int i) {
         return "render boxes -o v.png --view visibility --size 32x24 --set light.source=light-map --set" +
@@ -143,6 +146,7 @@ TEST_F(Killed, BakedMapIsWholeOrMissing) {
     }
 }
 
+SI_TEST_IS(Later, Killed, ContinuedSweepReachesTheSameNumbers);
 TEST_F(Killed, ContinuedSweepReachesTheSameNumbers) {
     const auto words = [](const char* folder) {
         return "sweep boxes --vary map.resolution=64,128 --size 24x16 --no-time -o" + Words{folder};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -22,6 +23,7 @@ TEST(LabCommands, PrecisionIsPrintedOverDistance) {
     EXPECT_EQ(last["pipelines"][2]["map.origin"], "world");
 }
 
+SI_TEST_IS(Later, LabCommands, ShimmerIsPrintedWithAndWithoutSnapping);
 TEST(LabCommands, ShimmerIsPrintedWithAndWithoutSnapping) {
     const auto folder = fresh_test_folder();
     const Json shimmer = program_json("shimmer stage --preset cascades --size 96x54 --steps 4 -o flips.png", folder);

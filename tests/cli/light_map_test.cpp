@@ -9,6 +9,7 @@
 
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -46,6 +47,7 @@ protected:
     std::string picture() const { return file_bytes(folder_ / "v.pfm"); }
 };
 
+SI_TEST_IS(Later, LightMapCommand, BakesOnceAndKeepsItOnDisk);
 TEST_F(LightMapCommand, BakesOnceAndKeepsItOnDisk) {
     const std::set<fs::path> before = kept();
     const Json uncached = draw("--no-cache");

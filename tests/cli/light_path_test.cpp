@@ -7,6 +7,7 @@
 
 #include "tests/support/number_at.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
+SI_TEST_IS(Later, LightPathCommand, EachStepIsMeasuredAsByItsSettings);
 TEST(LightPathCommand, EachStepIsMeasuredAsByItsSettings) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_program(

@@ -18,6 +18,7 @@ using Json = nlohmann::json;
 
 const Words kSearched = "--size 64x48 --set map.resolution=64 --set map.format=colour --check-numeric";
 
+SI_TEST_IS(Later, CheckNumeric, ReportsFiniteNumbers);
 TEST(CheckNumeric, ReportsFiniteNumbers) {
     const Json health = program_json("measure boxes --no-time" + kSearched)["numeric_health"];
     EXPECT_EQ(health["sound"], true);
@@ -89,6 +90,7 @@ TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     expect_spoilt("advise boxes --max-error 1 --vary filter.kernel=hard --seconds 1" + kSearched, {as_given});
 }
 
+SI_TEST_IS(Later, CheckNumeric, EditorDrawsAndReportsAtItsEnd);
 TEST(CheckNumeric, EditorDrawsAndReportsAtItsEnd) {
     const auto folder = fresh_test_folder();
     const std::filesystem::path screenshot = folder / "e.png", report = folder / "r.json";

@@ -147,6 +147,7 @@ TEST_F(Pictures, ProbeNamesAPixelOfThePictureWithPanes) {
     expect_error(panes + "160,20", 2, "between two panes");
 }
 
+SI_TEST_IS(Later, Pictures, ReportHoldsContentsAndReadShareOfTheMap);
 TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
     const auto report = [&](const Words& more) {
         render(kSmall + "--report r.json" + more, "a.png");
@@ -174,6 +175,7 @@ TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
     EXPECT_TRUE(report("--set light.cast=false").is_null());
 }
 
+SI_TEST_IS(Later, Pictures, SamePresetGivesTheSameBytes);
 TEST_F(Pictures, SamePresetGivesTheSameBytes) {
     const ProcessResult saved = run_program(
         "preset save stage -o p.json --set filter.kernel=pcf5 --set bias.slope=2 --about" + Words{"wide kernel"},
@@ -200,6 +202,7 @@ TEST_F(Pictures, PresetIsNotMixedWithSuggestionsOfTheScene) {
     EXPECT_NE(picture, render(small, "c.png"));
 }
 
+SI_TEST_IS(Later, Pictures, ExportedSceneIsTheSameScene);
 TEST_F(Pictures, ExportedSceneIsTheSameScene) {
     ASSERT_EQ(run_program("export boxes -o boxes.glb", folder_).code, 0);
     render("boxes --size 32x32 --report a.json", "a.png");
@@ -214,6 +217,7 @@ TEST_F(Pictures, ExportedSceneIsTheSameScene) {
     }
 }
 
+SI_TEST_IS(Later, Pictures, EditorIsDrawnWithoutADisplay);
 TEST_F(Pictures, EditorIsDrawnWithoutADisplay) {
     // The top bar has its background colour in both themes.
     const auto ground = [&](const char* theme) {
@@ -227,6 +231,7 @@ TEST_F(Pictures, EditorIsDrawnWithoutADisplay) {
     EXPECT_GT(ground("light"), 170);
 }
 
+SI_TEST_IS(Later, Pictures, WithoutACommandOrDisplayEverythingIsDrawn);
 TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
     const ProcessResult r = run_program({}, folder_);
     ASSERT_EQ(r.code, 0) << r.err;

@@ -7,6 +7,7 @@
 #include "renderer/frame/optimisation_set.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -67,6 +68,7 @@ TEST(PlanCommand, MeasuresTheNamedEffects) {
     EXPECT_TRUE(effect_of(plan, "depth blur")["saved_ms"].is_null()) << "nothing spares it: never estimated";
 }
 
+SI_TEST_IS(Later, PlanCommand, PrintsTheNumberOfEffectsThatShareATime);
 TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
     const Words measured = "--measure --rounds 3 --set light.type=point --set map.resolution=256";
     const Json plan = plan_of(measured);
@@ -91,6 +93,7 @@ TEST(PlanCommand, ListsTheSearchThatItRequests) {
     EXPECT_EQ(effect_of(plan, "visibility")["state"], "simulated") << "which is searched, too";
 }
 
+SI_TEST_IS(Later, PlanCommand, ListsWaste);
 TEST(PlanCommand, ListsWaste) {
     const Json waste = plan_of("--waste --set light.cascades=2")["waste"];
     std::vector<std::string> maps, others;

@@ -12,6 +12,7 @@
 #include "app/base/json_text.h"
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -40,6 +41,7 @@ std::vector<std::string> commands_of(const std::string& html, const std::string&
     return out;
 }
 
+SI_TEST_IS(Later, PresetReport, CommandsReproduceWhatThePageShows);
 TEST(PresetReport, CommandsReproduceWhatThePageShows) {
     const fs::path folder = fresh_test_folder();
     write_preset(folder / "a.json", "First", R"({"filter.kernel":"hard","map.resolution":256,"camera.source":"manual",
@@ -77,6 +79,7 @@ TEST(PresetReport, CommandsReproduceWhatThePageShows) {
 }
 
 // The plot is the one of sweeps. The times of the shadows stand in the table, as multiples of one base.
+SI_TEST_IS(Later, PresetReport, ShowsTheTimeOfTheShadows);
 TEST(PresetReport, ShowsTheTimeOfTheShadows) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r =
@@ -93,6 +96,7 @@ TEST(PresetReport, ShowsTheTimeOfTheShadows) {
         EXPECT_NE(html.find(row), html.npos) << row;
 }
 
+SI_TEST_IS(Later, PresetReport, HostileNamesStayTexts);
 TEST(PresetReport, HostileNamesStayTexts) {
     const fs::path folder = fresh_test_folder();
     const std::string name = std::string(kHostile) + ".json";

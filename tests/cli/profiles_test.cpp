@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -87,6 +88,7 @@ TEST(Profiles, CountInTheMapOfABundle) {
     EXPECT_NEAR(settings["bias.normal"].get<double>(), 0.5, 1e-6) << "texels are 24 m / 256 wide";
 }
 
+SI_TEST_IS(Later, Profiles, LetDoubleSidedMaterialsCastWithBothFaces);
 TEST(Profiles, LetDoubleSidedMaterialsCastWithBothFaces) {
     const auto folder = fresh_test_folder();
     const std::string key = "object.Table/Teapot.cull";
@@ -112,6 +114,7 @@ TEST(Profiles, RefuseWhatIsWrongInOneLine) {
     expect_error("measure boxes --profile urp --set bias.raster_slope=0", 2, "SetGlobalDepthBias");
 }
 
+SI_TEST_IS(Later, Profiles, SpeakInTheEnginesParameters);
 TEST(Profiles, SpeakInTheEnginesParameters) {
     const Json measured = program_json(
         "measure boxes --profile three --set engine.bias=0 --set engine.shadowSide=DoubleSide --set map.resolution=256 "
@@ -129,6 +132,7 @@ TEST(Profiles, SpeakInTheEnginesParameters) {
     EXPECT_TRUE(named) << measured["cures"].dump();
 }
 
+SI_TEST_IS(Later, Profiles, LeaveOutWhatTheEngineLacks);
 TEST(Profiles, LeaveOutWhatTheEngineLacks) {
     const Words size = "--size 160x90";
     const Json advised = program_json(
@@ -152,6 +156,7 @@ TEST(Profiles, LeaveOutWhatTheEngineLacks) {
     EXPECT_NE(text.out.find("that three.js lacks were not tried"), std::string::npos) << text.out;
 }
 
+SI_TEST_IS(Later, Profiles, AreTunedInTheEnginesNumbers);
 TEST(Profiles, AreTunedInTheEnginesNumbers) {
     const auto folder = fresh_test_folder();
     const Json urp =

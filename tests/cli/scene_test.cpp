@@ -10,6 +10,7 @@
 
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -75,6 +76,7 @@ Json report_of(const Words& scene_and_more, const std::filesystem::path& folder)
     return Json::parse(file_bytes(folder / "a.json"));
 }
 
+SI_TEST_IS(Later, SceneCommand, LightsOfAFileAreSettingsThatSetReplaces);
 TEST(SceneCommand, LightsOfAFileAreSettingsThatSetReplaces) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
@@ -121,6 +123,7 @@ TEST(SceneCommand, ListsTheScenesAndCamerasOfAFileByNumber) {
     EXPECT_EQ(run_program("scene two.glb --index 2", folder).code, 1);
 }
 
+SI_TEST_IS(Later, SceneCommand, SettingsSelectSceneAndCamera);
 TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
@@ -141,6 +144,7 @@ TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     expect_error(render + "scene.index=0 boxes", 0, "no effect", folder);
 }
 
+SI_TEST_IS(Later, SceneCommand, ExportHoldsTheTimeAndTheSettings);
 TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());

@@ -47,6 +47,7 @@ int shell(const std::string& command, const fs::path& folder) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+SI_TEST_IS(Later, SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds);
 TEST(SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_program(
@@ -61,6 +62,7 @@ TEST(SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds) {
     EXPECT_NE(command.find("--set bias.constant=0.1"), std::string::npos) << command;
 }
 
+SI_TEST_IS(Later, SweepCommand, WritesResultsAndReport);
 TEST(SweepCommand, WritesResultsAndReport) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_program(sweep_of("out"), folder);
@@ -114,6 +116,7 @@ TEST(SweepCommand, WritesResultsAndReport) {
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
 }
 
+SI_TEST_IS(Later, SweepCommand, LightSizeAxisMeasuresEachSize);
 TEST(SweepCommand, LightSizeAxisMeasuresEachSize) {
     const fs::path folder = fresh_test_folder();
     const Words sweep = "sweep boxes --vary light.size=0.1,2,8 --size 96x64 --no-time -o";
@@ -131,6 +134,7 @@ TEST(SweepCommand, LightSizeAxisMeasuresEachSize) {
     EXPECT_EQ(results_of(folder / "hard")["rows"].size(), 1u) << "a point has no size";
 }
 
+SI_TEST_IS(Later, SweepCommand, EachSceneOfAFileIsMeasured);
 TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
     const fs::path folder = fresh_test_folder();
     test::GltfFile f;
@@ -171,6 +175,7 @@ TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
     }
 }
 
+SI_TEST_IS(Later, SweepCommand, OtherArgumentsAreRefusedUnlessFresh);
 TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(run_program(sweep_of("out", "--no-time"), folder).code, 0);
@@ -193,6 +198,7 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(run_program(sweep_of("out", "--no-time"), folder).code, 1) << "results of who knows what";
 }
 
+SI_TEST_IS(Later, SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged);
 TEST(SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged) {
     const fs::path folder = fresh_test_folder();
     for (const char* part : {"1", "2"})
@@ -281,6 +287,7 @@ TEST(SweepCommand, FailingCaseIsARow) {
     EXPECT_NE(r.out.find("2 of 4 cases failed"), std::string::npos);
 }
 
+SI_TEST_IS(Later, SweepCommand, ParallelShardsMergeIntoTheWhole);
 TEST(SweepCommand, ParallelShardsMergeIntoTheWhole) {
     if (!has("parallel")) GTEST_SKIP() << test::kMissingReason << "GNU parallel";
     const fs::path folder = fresh_test_folder();
@@ -313,6 +320,7 @@ TEST(SweepCommand, ParallelShardsMergeIntoTheWhole) {
     EXPECT_FALSE(fs::exists(folder / "wrong"));
 }
 
+SI_TEST_IS(Later, SweepCommand, SlurmArrayRunsShards);
 TEST(SweepCommand, SlurmArrayRunsShards) {
     const fs::path folder = fresh_test_folder();
     const std::string script = std::string("'") + SI_SOURCE_DIR + "/scripts/sweep_slurm.sh'";

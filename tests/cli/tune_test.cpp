@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+SI_TEST_IS(Later, TuneCommand, WritesTheBiasWithTheLeastScore);
 TEST(TuneCommand, WritesTheBiasWithTheLeastScore) {
     const fs::path folder = fresh_test_folder();
     const auto measured = [&](const Words& more) {
@@ -52,6 +53,7 @@ TEST(TuneCommand, WritesTheBiasWithTheLeastScore) {
         << "the preset says what it is";
 }
 
+SI_TEST_IS(Later, TuneCommand, AsksForNoAcneAndForAGap);
 TEST(TuneCommand, AsksForNoAcneAndForAGap) {
     const fs::path folder = fresh_test_folder();
     const Words scene = "tune boxes --set map.resolution=512 --size 160x90 -o a.json";

@@ -25,6 +25,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, BlocksTest);
+SI_TEST_IS(Later, BlocksTest, BuffersAndImagesGiveTheSameBits);
 TEST_F(BlocksTest, BuffersAndImagesGiveTheSameBits) {
     if (!renderer.driver().blocks_as_images) GTEST_SKIP() << "this driver reads uniform blocks";
     static const std::vector<Sets> cases = {

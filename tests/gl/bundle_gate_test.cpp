@@ -54,6 +54,7 @@ std::shared_ptr<const ImportedMaps> maps_of(const fs::path& bundle, const Json& 
 
 SI_TESTS_ARE(Product, BundleGate);
 
+SI_TEST_IS(Later, BundleGate, MapsOfTheExampleAreDrawnAgain);
 TEST(BundleGate, MapsOfTheExampleAreDrawnAgain) {
     const HeadlessContext context;
     Renderer renderer;

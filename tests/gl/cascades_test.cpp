@@ -90,6 +90,7 @@ TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
 
 SI_TEST_IS(Repeated, CascadesTest, NothingIsReadOutsideAMap);
 // A tap outside a map or past its far plane would show the outside mode's value.
+SI_TEST_IS(Later, CascadesTest, NothingIsReadOutsideAMap);
 TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
     for (const char* name : {"stage", "landscape"}) {
         const Scene scene = load_scene(name);
@@ -112,6 +113,7 @@ TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
 }
 
 SI_TEST_IS(Repeated, CascadesTest, FourMissLessThanOneAtTheSameResolution);
+SI_TEST_IS(Later, CascadesTest, FourMissLessThanOneAtTheSameResolution);
 TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     const Scene scene = load_scene("landscape");
     for (const char* choice : {"interval", "map"}) {
@@ -145,6 +147,7 @@ TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
 }
 
 SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesTheCascade);
+SI_TEST_IS(Later, CascadesTest, TheProbeNamesTheCascade);
 TEST_F(CascadesTest, TheProbeNamesTheCascade) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {"light.cascades=4", "light.cascade_blend=0.3"});

@@ -64,6 +64,7 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
             expect_one_map(load_scene(std::string(row.key)), sets, std::string(row.key));
 }
 
+SI_TEST_IS(Later, CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes);
 TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
     glm::dmat4 sheared = moved(115, 0, 40) * scaled(-1, 1.3, 1);
     sheared[1][0] = 0.4;
@@ -75,6 +76,7 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
 }
 
 SI_TEST_IS(Product, CasterOptimisationsTest, KeepEveryTexelOfRealModels);
+SI_TEST_IS(Later, CasterOptimisationsTest, KeepEveryTexelOfRealModels);
 TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";

@@ -312,6 +312,7 @@ const std::vector<Fault>& faults() {
 }
 
 SI_TEST_IS(Repeated, CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows);
+SI_TEST_IS(Later, CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows);
 TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) {
     Scene scene = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
     const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
@@ -423,6 +424,7 @@ TEST_F(CausesTest, ACubeMapHasNoSeams) {
 }
 
 SI_TEST_IS(Repeated, CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight);
+SI_TEST_IS(Later, CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight);
 TEST_F(CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;

@@ -11,6 +11,7 @@
 #include "app/context/window_context.h"
 #include "renderer/base/error.h"
 #include "tests/support/error_text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -54,6 +55,7 @@ TEST(HeadlessContext, TwoContextsCanBeSwitched) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
+SI_TEST_IS(SystemAllocator, HeadlessContext, FiftyContextsReleaseAllMemory);
 TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const auto cycle = [] {
         const HeadlessContext context;

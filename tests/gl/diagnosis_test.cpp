@@ -124,6 +124,7 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
     EXPECT_LE(off, checked / 200);
 }
 
+SI_TEST_IS(Later, DiagnosisTest, TapsWithARemainderAddUpToTheVisibilityOnTheGpu);
 TEST_F(DiagnosisTest, TapsWithARemainderAddUpToTheVisibilityOnTheGpu) {
     const Scene scene = test::floor_and_box(10, {1.5, 0.25, 2}, 0);
     int checked = 0, off = 0, off_without = 0;
@@ -158,6 +159,7 @@ TEST_F(DiagnosisTest, TapsWithARemainderAddUpToTheVisibilityOnTheGpu) {
 
 SI_TEST_IS(DriverIndependent, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
 SI_TEST_IS(Repeated, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
+SI_TEST_IS(Later, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
 TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     const Scene scene = test::sheet_over_floor(1.5);
     int kinds[kArtefacts] = {}, dark = 0;
@@ -200,6 +202,7 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     EXPECT_GT(kinds[std::size_t(Artefact::Acne)], 5);
 }
 
+SI_TEST_IS(Later, DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks);
 TEST_F(DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (const char* kernel : {"hard", "hw2x2"})
@@ -325,6 +328,7 @@ TEST_F(DiagnosisTest, NamesFaintLightAwayFromTrueEdges) {
     EXPECT_GT(named, 0);
 }
 
+SI_TEST_IS(Later, DiagnosisTest, WritesOutTheBoundThatBleeds);
 TEST_F(DiagnosisTest, WritesOutTheBoundThatBleeds) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     for (const char* kernel : {"vsm", "savsm", "esm", "evsm2", "evsm4", "msm_hamburger", "msm_hausdorff"}) {

@@ -146,6 +146,7 @@ decltype(epoxy_glUseProgram) real_use = nullptr;
 
 SI_TEST_IS(Repeated, DriverTest, CompilesOnlyTheProgramsThatAFrameUses);
 // A new renderer compiles exactly the programs that its frames use, at their first use.
+SI_TEST_IS(Later, DriverTest, CompilesOnlyTheProgramsThatAFrameUses);
 TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     const GLuint program = glCreateProgram();
     glLinkProgram(program);

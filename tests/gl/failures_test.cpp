@@ -91,6 +91,7 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, FailuresTest);
+SI_TEST_IS(Later, FailuresTest, OutOfMemoryIsHandledAtEveryCallOfAFrame);
 TEST_F(FailuresTest, OutOfMemoryIsHandledAtEveryCallOfAFrame) {
     expect_each_failure_handled(DriverFailure::Memory, 20);
 }

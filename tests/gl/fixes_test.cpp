@@ -177,6 +177,7 @@ TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
 }
 
 // The candidates are all rows of the tables of fits and biases that suit the light, and cascades.
+SI_TEST_IS(Later, FixesTest, EveryOtherFitBiasAndCascadeCountIsTried);
 TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
     width = 160;
     height = 120;

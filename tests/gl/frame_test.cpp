@@ -75,6 +75,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange);
 // Depths past the far and before the near plane: a fixed-point format's sampler clamps the compared depth, a float's
 // does not.
+SI_TEST_IS(Later, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
     for (const char* format : {"d16", "d24", "d32f"})
@@ -288,6 +289,7 @@ std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequ
 }
 
 SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingChangeNoPixel);
+SI_TEST_IS(Later, FrameTest, SkippingAndCachingChangeNoPixel);
 TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     const Scene scene = load_scene("stage");
     for (const auto& extra :
@@ -353,6 +355,7 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
 
 SI_TEST_IS(DriverIndependent, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
 SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
+SI_TEST_IS(Later, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
     const Scene scene = load_scene("boxes");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {"map.resolution=256"}),

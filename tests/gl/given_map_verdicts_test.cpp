@@ -10,6 +10,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -49,6 +50,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, GivenMapVerdicts, AreThoseOfADrawnMapOnceTheBiasIsKnown);
 TEST_F(GivenMapVerdicts, AreThoseOfADrawnMapOnceTheBiasIsKnown) {
     const Settings s = test::texel_settings("hard", 512, 0.1);
     const FrameRequest known = with(given(s, true)), unknown = with(given(s, false));
@@ -112,6 +114,7 @@ TEST_F(GivenMapVerdicts, FixesOfAnOblongMapPutThePixelRight) {
     }
 }
 
+SI_TEST_IS(Later, GivenMapVerdicts, TheLeastBiasOfTheMapEndsAcneOnIt);
 TEST_F(GivenMapVerdicts, TheLeastBiasOfTheMapEndsAcneOnIt) {
     Settings s = test::texel_settings("pcf3", 512, 0);
     const FrameRequest known = with(given(s, true));

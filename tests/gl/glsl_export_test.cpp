@@ -17,6 +17,7 @@
 #include "shaders/shared/units.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -281,6 +282,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, GlslExport, EveryKernelAndBiasDrawsTheSamePicture);
 TEST_F(GlslExport, EveryKernelAndBiasDrawsTheSamePicture) {
     const Scene scene = load_scene("boxes");
     for (const Filter& filter : filters())
@@ -296,6 +298,7 @@ TEST_F(GlslExport, EveryKernelAndBiasDrawsTheSamePicture) {
         }
 }
 
+SI_TEST_IS(Later, GlslExport, LightsFormatsAndConventionsDrawTheSamePicture);
 TEST_F(GlslExport, LightsFormatsAndConventionsDrawTheSamePicture) {
     const Scene scene = load_scene("boxes");
     const Sets cases[] = {{{"map.reversed_z", "true"}},

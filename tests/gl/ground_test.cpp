@@ -263,6 +263,7 @@ TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
 }
 
 // The whole model is visible, and the map has the same texels.
+SI_TEST_IS(Later, GroundTest, KeepsTheVisibilityOfTheModelsPixels);
 TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
     for (const GroundedModel& model : grounded_models())
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
@@ -372,6 +373,7 @@ SI_TEST_IS(Product, GroundTest, ShowsModelsShadowsWithDefaultSettings);
 SI_TEST_IS(DriverIndependent, GroundTest, ShowsModelsShadowsWithDefaultSettings);
 // The test uses the camera that frames the scene, because a file's own camera may show no shadow. A file opens with
 // its own camera, which must draw a picture too.
+SI_TEST_IS(Later, GroundTest, ShowsModelsShadowsWithDefaultSettings);
 TEST_F(GroundTest, ShowsModelsShadowsWithDefaultSettings) {
     const std::vector<test::SharedModel> files = test::portion(test::shared_models(), 4);
     if (files.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";

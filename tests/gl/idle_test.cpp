@@ -180,6 +180,7 @@ SI_TESTS_ARE(Repeated, BusyStates);
 SI_TESTS_ARE(DriverIndependent, BusyStates);
 // Results cached from frame to frame never belong to other settings. Each picture is compared with the same picture
 // drawn without caches, right after one that shares nothing with it.
+SI_TEST_IS(Later, BusyStates, NoChangeOfASettingLeavesAStalePicture);
 TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     const Scene scene = boxes_and_ball();
     const Settings apart = settings_for(scene, {"map.resolution=32", "light.azimuth=200", "camera.source=light",

@@ -135,6 +135,7 @@ TEST_F(ImportedMapsTest, GivenViewsReplaceTheFit) {
 }
 
 // The view is derived from the float matrix alone.
+SI_TEST_IS(Later, ImportedMapsTest, AViewOfAMatrixGivesTheSameShadows);
 TEST_F(ImportedMapsTest, AViewOfAMatrixGivesTheSameShadows) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
@@ -314,6 +315,7 @@ TEST_F(DrawnByGivenViews, CastersThatAreMovedLieWhereTheyAreMovedTo) {
 }
 
 // Casters that an engine moves away from the light have a bias. Probe and overlay count it by the triangle's normal.
+SI_TEST_IS(Later, DrawnByGivenViews, MovedCastersCountAsBias);
 TEST_F(DrawnByGivenViews, MovedCastersCountAsBias) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr CasterShift kShift{.all_m = 0.04, .grazing_m = 0.3};

@@ -149,6 +149,7 @@ TEST_F(LightCamera, UtilisationOfAFlatMapEqualsTheCoveredShare) {
 }
 
 SI_TEST_IS(Repeated, LightCamera, CoordinatesNameTheTexelOfTheProbe);
+SI_TEST_IS(Later, LightCamera, CoordinatesNameTheTexelOfTheProbe);
 TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {

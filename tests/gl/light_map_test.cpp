@@ -106,6 +106,7 @@ TEST_F(LightMapTest, EdgesDeviateByAtMostHalfATexelDiagonal) {
 
 SI_TEST_IS(Repeated, LightMapTest, FinerTexelsApproachRaysOnTheStage);
 // Twice the texels per side halve the error along edges.
+SI_TEST_IS(Later, LightMapTest, FinerTexelsApproachRaysOnTheStage);
 TEST_F(LightMapTest, FinerTexelsApproachRaysOnTheStage) {
     const Scene scene = load_scene("stage");
     std::vector<double> shares;

@@ -10,6 +10,7 @@
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -66,6 +67,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, LiveErrorTest, AgreesWithTheCpuOnEveryArtefact);
 TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     EXPECT_GT(agree(hard(512, 0), "no bias").acne, 0.3);
     Settings s = hard(256, 8);
@@ -177,6 +179,7 @@ TEST_F(LiveErrorTest, OverlaysShowTheCountedPixels) {
     EXPECT_NEAR(sum / double(counted), frame.error->metrics.signed_mean, 1e-6);
 }
 
+SI_TEST_IS(Later, LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed);
 TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
     scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
     request.outputs = {.colour = false, .overlay = true};

@@ -40,6 +40,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LookTest);
+SI_TEST_IS(Later, LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook);
 TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
     for (const BuiltinScene& row : builtin_scenes()) {
         SCOPED_TRACE(row.key);
@@ -62,6 +63,7 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
 }
 
 // The look "studio" and tinted overlays are drawn on request only, and only into pictures.
+SI_TEST_IS(Later, LookTest, StudioAndTintChangeNoNumberAndNoMask);
 TEST_F(LookTest, StudioAndTintChangeNoNumberAndNoMask) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {"map.resolution=512", "view.overlay=cascade", "light.cascades=3", "light.count=1",
@@ -185,6 +187,7 @@ TEST_F(LookTest, TintKeepsTheLegendsColourOnLitSurfaces) {
 }
 
 // The ground added to a loaded model belongs to the look: the model's own pixels stay unchanged.
+SI_TEST_IS(Later, LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook);
 TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
     std::vector<std::string> files{""};
     for (const test::SharedModel& model : test::shared_models()) {

@@ -38,6 +38,7 @@ protected:
     std::vector<MemoryUse> before_ = memory_report().holders;
 };
 
+SI_TESTS_ARE(SystemAllocator, MemoryReportTest);
 SI_TESTS_ARE(DriverIndependent, MemoryReportTest);
 TEST_F(MemoryReportTest, ImageBytesFollowFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
@@ -148,6 +149,7 @@ TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     EXPECT_EQ(width, 64);
 }
 
+SI_TEST_IS(Later, MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle);
 TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
     const Settings s = settings_for(load_scene("boxes"), {"map.resolution=256"});
     MeasuringThread thread(std::chrono::milliseconds(300));

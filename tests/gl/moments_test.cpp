@@ -208,6 +208,7 @@ struct Case {
 SI_TESTS_ARE(Repeated, Moments);
 // Every row is tested under every type of light and both directions of depth, near and far from the origin: moments by
 // the map, the bound by the moments, visibility by the bound.
+SI_TEST_IS(Later, Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState);
 TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
     const Case cases[] = {{LightType::Directional, false, {0, 0, 0}, 30},
                           {LightType::Spot, true, {90, 5, -70}, 90},
@@ -466,6 +467,7 @@ TEST(Moments, StayFiniteAtAndAboveTheExponentsLimits) {
 }
 
 // 16 bits are coarser but not wrong: four moments after their transform stay close to those in 32 bits.
+SI_TEST_IS(Later, Moments, In16BitsAreCloseToThoseIn32);
 TEST(Moments, In16BitsAreCloseToThoseIn32) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
@@ -688,6 +690,7 @@ TEST(Moments, AreMeansOfWindowsClippedAtTheMapsSides) {
 }
 
 // Each texel of a mip level holds the mean of the four texels below it, in the stored number.
+SI_TEST_IS(Later, Moments, AreShownByMipLevel);
 TEST(Moments, AreShownByMipLevel) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();

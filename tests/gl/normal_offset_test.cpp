@@ -40,6 +40,7 @@ std::vector<OffsetCase> offset_cases() {
     return out;
 }
 
+SI_TEST_IS(Later, NormalOffsetTest, OverlaysAndProbeEqualTheClosedForm);
 TEST_F(NormalOffsetTest, OverlaysAndProbeEqualTheClosedForm) {
     for (const test::OffsetForm& form : test::offset_forms())
         for (const OffsetCase& c : offset_cases()) {
@@ -85,6 +86,7 @@ TEST_F(NormalOffsetTest, OverlaysAndProbeEqualTheClosedForm) {
 }
 
 // With the least bias of the closed form, and a fiftieth more, no pixel is dark. Less of it leaves dark ones.
+SI_TEST_IS(Later, NormalOffsetTest, AcneBeginsWhereTheFormulaSays);
 TEST_F(NormalOffsetTest, AcneBeginsWhereTheFormulaSays) {
     for (const test::OffsetForm& form : test::offset_forms())
         for (const OffsetCase& c : offset_cases()) {

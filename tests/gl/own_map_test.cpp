@@ -14,6 +14,7 @@
 #include "renderer/measure/measured_error.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -88,6 +89,7 @@ TEST_F(OwnMapTest, StandsForAMapThatPassesTheGate) {
 
 // The changes of a trial, applied to the present settings, draw what was tried. A second drawing with the bundle's view
 // by hand gives the same numbers.
+SI_TEST_IS(Later, OwnMapTest, ChangesLeadToWhatWasDrawn);
 TEST_F(OwnMapTest, ChangesLeadToWhatWasDrawn) {
     const Session read = open(exported(open("boxes", {"map.resolution=64", "bias.raster_slope=1"})));
     const FixTable table = searched(

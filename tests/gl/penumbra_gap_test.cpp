@@ -4,6 +4,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -24,6 +25,7 @@ Scene sheet_facing_light(double gap_m) {
     return test::grey_scene({{"floor", make_plane(16, 16)}, {"sheet", make_plane(6, 6), place}});
 }
 
+SI_TEST_IS(Later, PenumbraGap, IsMeasuredFromTheSurfaceUnderEveryBias);
 TEST_F(PenumbraGap, IsMeasuredFromTheSurfaceUnderEveryBias) {
     constexpr double kGapM = 2;
     const Scene scene = sheet_facing_light(kGapM);

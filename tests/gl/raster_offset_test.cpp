@@ -4,12 +4,14 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
 
 using RasterOffset = FrameTest;
 
+SI_TEST_IS(Later, RasterOffset, UnitsAreThoseOfTheTrianglesGreatestDepth);
 TEST_F(RasterOffset, UnitsAreThoseOfTheTrianglesGreatestDepth) {
     // Depths of each of the floor's two triangles span nearly the whole range.
     const Scene scene = test::grey_scene({{"floor", make_plane(10, 10)}});

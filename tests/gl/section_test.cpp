@@ -125,6 +125,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, SectionTest);
 SI_TEST_IS(Repeated, SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap);
+SI_TEST_IS(Later, SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap);
 TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
     const std::vector<Sets> kinds{{"light.type=directional"},

@@ -88,6 +88,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, ShadowVolumesTest);
+SI_TEST_IS(Later, ShadowVolumesTest, AreExactOverScenesAndLights);
 TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
     for (const char* name : {"boxes", "stage", "teapot", "figures", "plane", "relief"}) {
         const Scene scene = solid(load_scene(name));

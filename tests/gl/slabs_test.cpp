@@ -61,6 +61,7 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
 
 SI_TEST_IS(Repeated, SlabsTest, LieAtTheStoredDepth);
 SI_TEST_IS(Product, SlabsTest, LieAtTheStoredDepth);
+SI_TEST_IS(Later, SlabsTest, LieAtTheStoredDepth);
 TEST_F(SlabsTest, LieAtTheStoredDepth) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};

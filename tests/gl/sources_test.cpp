@@ -65,6 +65,7 @@ TEST_F(SourcesTest, AnotherBiasUploadsTheReferenceNoSecondTime) {
 SI_TEST_IS(Repeated, SourcesTest, OnlyShadowMapsDrawMaps);
 // For each source visibility lies in [0,1] at every pixel. Maps are drawn only for the source "map", and the plan
 // gives the reason.
+SI_TEST_IS(Later, SourcesTest, OnlyShadowMapsDrawMaps);
 TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
     const Scene scene = load_scene("boxes");
     for (const Source& source : sources())
@@ -128,6 +129,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
 }
 
 SI_TEST_IS(Repeated, SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture);
+SI_TEST_IS(Later, SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture);
 TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
     for (const Source& source : sources()) {
@@ -179,6 +181,7 @@ TEST_F(SourcesTest, TracedEqualsTheReference) {
 }
 
 SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwnSource);
+SI_TEST_IS(Later, SourcesTest, EachLightHasItsOwnSource);
 TEST_F(SourcesTest, EachLightHasItsOwnSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {"light.count=3", "light.1.type=spot", "light.1.azimuth=60",
@@ -217,6 +220,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
 
 SI_TEST_IS(Repeated, SourcesTest, TheReferencePictureEqualsTheTracedSource);
 // The reference picture equals the row's result.
+SI_TEST_IS(Later, SourcesTest, TheReferencePictureEqualsTheTracedSource);
 TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {"light.count=2", "light.1.type=spot", "map.resolution=256"});

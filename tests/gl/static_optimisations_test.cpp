@@ -103,6 +103,7 @@ const std::vector<Sets>& kinds() {
 
 SI_TESTS_ARE(DriverIndependent, StaticOptimisationsTest);
 SI_TESTS_ARE(Repeated, StaticOptimisationsTest);
+SI_TEST_IS(Later, StaticOptimisationsTest, KeepEveryTexelOfBuiltInScenes);
 TEST_F(StaticOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     std::size_t next = 0;
     int kept = 0, frames = 0;
@@ -354,6 +355,7 @@ TEST_F(StaticOptimisationsTest, MeasuredFramesMoveAndCacheStaticCasters) {
     }
 }
 
+SI_TEST_IS(Later, StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove);
 TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {

@@ -97,6 +97,7 @@ SI_TESTS_ARE(Repeated, TapsTest);
 SI_TESTS_ARE(Repeated, EachSquareKernel);
 class EachSquareKernel : public TapsTest, public testing::WithParamInterface<test::SizedKernel> {};
 
+SI_TEST_IS(Later, EachSquareKernel, WeighsEachTexelOnceByItsDefinition);
 TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings(GetParam().key, 128, 0.7);
@@ -207,6 +208,7 @@ TEST_F(TapsTest, BilinearDisksOfNoRadiusAreOneBilinearComparison) {
         }
 }
 
+SI_TEST_IS(Later, TapsTest, BilinearDisksWeighTexelsInReachByGatherAndSampler);
 TEST_F(TapsTest, BilinearDisksWeighTexelsInReachByGatherAndSampler) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"poisson", "vogel", "pcss"}) {
@@ -250,6 +252,7 @@ TEST_F(TapsTest, BilinearDisksWeighTexelsInReachByGatherAndSampler) {
     }
 }
 
+SI_TEST_IS(Later, TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside);
 TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = settings_with(test::texel_settings("pcf5", 64, 1), {"light.fit=manual", "light.extent=2"});
@@ -283,6 +286,7 @@ TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
     EXPECT_GT(beyond, 200);
 }
 
+SI_TEST_IS(Later, TapsTest, TexelsReadAreTheTapsOfAllPixels);
 TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     FrameRequest request{

@@ -53,6 +53,7 @@ TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameFace) {
         }
 }
 
+SI_TEST_IS(Later, ViewChoiceTest, ShaderAndCpuChooseTheSameCascade);
 TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
     const Scene scene = load_scene("stage");
     for (const char* choice : {"interval", "map"})
@@ -69,6 +70,7 @@ TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
             }
 }
 
+SI_TEST_IS(Later, ViewChoiceTest, ShaderAndCpuChooseTheSameClipLevel);
 TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameClipLevel) {
     const Scene scene = load_scene("stage");
     for (const Sets& camera : {Sets{"light.elevation=90"},

@@ -203,6 +203,7 @@ TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayNeedNoMap) {
 
 // A face is chosen by the surface's position for every kernel: also where kernels of moments, or repeating maps, read
 // the whole face.
+SI_TEST_IS(Later, ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera);
 TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera) {
     const Scene scene = row_of_balls();
     const Sets lights[] = {{},
@@ -241,6 +242,7 @@ TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera) {
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
 
+SI_TEST_IS(Later, ViewOptimisationsTest, UnreadTexelsAreNotBlurred);
 TEST_F(ViewOptimisationsTest, UnreadTexelsAreNotBlurred) {
     const Scene scene = row_of_balls();
     const auto unread = [](const FrameResult& f, std::string_view name) {

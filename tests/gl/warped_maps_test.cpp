@@ -108,6 +108,7 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
     EXPECT_GT(far[1], 1.5 * far[0]) << "which is what it costs";
 }
 
+SI_TEST_IS(Later, WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference);
 TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
     const auto error = [&](const Scene& scene, Settings s) {
         set_all(s, {"filter.kernel=hard", "bias.kind=receiver-plane"});

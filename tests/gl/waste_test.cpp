@@ -80,6 +80,7 @@ TEST_F(WasteTest, TryingAnEmptyMapRestoresTheMap) {
     EXPECT_EQ(different_pixels(before, picture(scene, s, request)), 0u);
 }
 
+SI_TEST_IS(Later, WasteTest, EffectsEnabledBySettingsAreTried);
 TEST_F(WasteTest, EffectsEnabledBySettingsAreTried) {
     const Scene scene = load_scene("stage");
     const Waste waste = waste_of(scene, {"light.contact=0.5", "map.blur_texels=2"});
@@ -223,6 +224,7 @@ TEST_F(WasteTest, WasteIsTimedOnRequest) {
     EXPECT_EQ(some.share_of_time(), 0) << "never below nothing";
 }
 
+SI_TEST_IS(Later, WasteTest, RowsAppearAsTheyAreMeasuredAndStayWhenItIsStopped);
 TEST_F(WasteTest, RowsAppearAsTheyAreMeasuredAndStayWhenItIsStopped) {
     const Scene scene = load_scene("boxes");
     const Settings settings = settings_for(scene, {"light.cascades=4"});
@@ -320,6 +322,7 @@ std::optional<Scene> loaded(const Named& named) {
 }
 
 // SI_LONG=1, or ctest -L long, measures all models, and their times.
+SI_TEST_IS(Later, WasteTest, OfMapsIsSmallOverScenesAndModels);
 TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
     Sum sum;
     for (const Named& named : scene_names())

@@ -9,6 +9,7 @@
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -130,6 +131,7 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase5Offset, testing::ValuesIn(kFormats),
 
 // The picture's shaders count from a grid point up to eight focus lengths away, the map's from the middle of the
 // scene. At the bias that each point of the account needs, nothing may shadow itself, wherever the scene stands.
+SI_TEST_IS(Later, HardCase1Places, NoAcneAtTheLeastBiasAnywhere);
 TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
     struct Place {
         glm::dvec3 at;

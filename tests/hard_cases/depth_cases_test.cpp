@@ -11,6 +11,7 @@
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -133,6 +134,7 @@ TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
         }
 }
 
+SI_TEST_IS(Later, HardCase4, ReversedMapsGiveTheSameShadows);
 TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
     const Scene scene = floor_and_box();
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point})

@@ -10,6 +10,7 @@
 #include "renderer/measure/measured_error.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/placements.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -263,6 +264,7 @@ void expect_axes_nothing_special(const HardCase& row, UnmovedPictures& unmoved_p
 class HardCasesEverywhere : public testing::TestWithParam<const HardCase*> {};
 
 // One test draws all placements of a case, so that one process compiles its programs.
+SI_TEST_IS(Later, HardCasesEverywhere, LookAndErrAsInPlace);
 TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     const HardCase& row = *GetParam();
     UnmovedPictures unmoved_pictures;

@@ -10,6 +10,7 @@
 #include "tests/support/hard_view.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -72,6 +73,7 @@ TEST(HardCase22, VarianceIsNeverNegative) {
         << "without a least variance the sheet must be speckled";
 }
 
+SI_TEST_IS(Later, HardCase23, NoExponentGivesNaN);
 TEST(HardCase23, NoExponentGivesNaN) {
     int formats = 0;
     const float large = std::exp(88.f);
@@ -95,6 +97,7 @@ TEST(HardCase23, NoExponentGivesNaN) {
             }
 }
 
+SI_TEST_IS(Later, HardCase24, FixedMomentsKeepSixteenBitsLit);
 TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
     const auto grey = [](const char* kernel, bool fixed) {
         const DrawnCase c = hard_view("moment-steps", fixed, {{"filter.kernel", kernel}});
@@ -108,6 +111,7 @@ TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
     }
 }
 
+SI_TEST_IS(Later, HardCase25, SumsOfIntegersEqualABlur);
 TEST(HardCase25, SumsOfIntegersEqualABlur) {
     const Shot blurred = draw_shot(hard_view("summed-areas", true, {"filter.kernel=vsm", "filter.blur=2"}));
     const auto off = [&](bool fixed) {
@@ -122,6 +126,7 @@ TEST(HardCase25, SumsOfIntegersEqualABlur) {
     expect_fault(25, off(false));
 }
 
+SI_TEST_IS(Later, HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow);
 TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
     for (const char* kernel : {"pcss", "dpcf"})
         for (const char* size : {"0", "1"}) {
@@ -148,6 +153,7 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
         }
 }
 
+SI_TEST_IS(Later, HardCase38, WarpedDepthsDoNotBleed);
 TEST(HardCase38, WarpedDepthsDoNotBleed) {
     const auto bleeding = [](bool fixed) {
         const DrawnCase c = hard_view("light-bleeding", fixed);

@@ -6,6 +6,7 @@
 #include "renderer/measure/measured_error.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -57,6 +58,7 @@ void expect_no_acne(int number, std::string_view key) {
     expect_fault(number, given_metrics(hard_view(key, false)).acne);
 }
 
+SI_TEST_IS(Later, HardCase42, StripsNeedTheBiasOfTheirLongSide);
 TEST(HardCase42, StripsNeedTheBiasOfTheirLongSide) {
     expect_no_acne(42, "given-strip");
     const auto maps = given_maps("builtin:strip");
@@ -66,6 +68,7 @@ TEST(HardCase42, StripsNeedTheBiasOfTheirLongSide) {
     EXPECT_LT(most, 1e-5);
 }
 
+SI_TEST_IS(Later, HardCase43, WarpedMapsNeedABiasByRow);
 TEST(HardCase43, WarpedMapsNeedABiasByRow) {
     expect_no_acne(43, "given-warped");
     EXPECT_TRUE(given_maps("builtin:warped")->lights.at(0)->views->views.at(0).warped());
@@ -74,6 +77,7 @@ TEST(HardCase43, WarpedMapsNeedABiasByRow) {
     EXPECT_LT(most, 1e-5);
 }
 
+SI_TEST_IS(Later, HardCase44, ReversedDepthNeedsItsOwnMatrix);
 TEST(HardCase44, ReversedDepthNeedsItsOwnMatrix) {
     const ErrorMetrics fixed = given_metrics(hard_view("given-reversed", true));
     expect_within_limit(44, wrong_inside(fixed));
@@ -83,6 +87,7 @@ TEST(HardCase44, ReversedDepthNeedsItsOwnMatrix) {
     EXPECT_LT(most, 1e-6);
 }
 
+SI_TEST_IS(Later, HardCase45, SixteenBitsNeedTheirStep);
 TEST(HardCase45, SixteenBitsNeedTheirStep) {
     expect_no_acne(45, "given-16-bits");
     const auto [most, compared] = difference_from_drawn(hard_view("given-16-bits", true));
@@ -91,6 +96,7 @@ TEST(HardCase45, SixteenBitsNeedTheirStep) {
     EXPECT_GT(most, 0.4 / 65535) << "the values are not rounded";
 }
 
+SI_TEST_IS(Later, HardCase46, MatricesRelativeToTheCameraAreExact);
 TEST(HardCase46, MatricesRelativeToTheCameraAreExact) {
     const ErrorMetrics fixed = given_metrics(hard_view("given-far-away", true));
     expect_within_limit(46, wrong_inside(fixed));

@@ -104,6 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Each, HardCasePresets, testing::ValuesIn(hard_case_view
 
 SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowTheFault);
 // The picture of the fault has more errors than that of the fix, compared with the reference.
+SI_TEST_IS(Later, HardCaseTable, PresetsOfFaultsShowTheFault);
 TEST(HardCaseTable, PresetsOfFaultsShowTheFault) {
     for (const HardCase& row : hard_cases()) {
         if (row.broken.empty()) continue;

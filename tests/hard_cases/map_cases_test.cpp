@@ -9,11 +9,13 @@
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
 
 // Case 19: sliders that hold NaN, infinities or near >= far.
+SI_TEST_IS(Later, HardCase19, BadSettingsAreRepairedAndReported);
 TEST(HardCase19, BadSettingsAreRepairedAndReported) {
     const Scene scene = floor_and_box();
     int tried = 0;
@@ -79,6 +81,7 @@ TEST(HardCase20, ErrorsFallWithResolution) {
     EXPECT_LT(shares.back(), 0.01);
 }
 
+SI_TEST_IS(Later, HardCase20, KernelsWiderThanTheMapGiveFinitePictures);
 TEST(HardCase20, KernelsWiderThanTheMapGiveFinitePictures) {
     const Scene scene = floor_and_box();
     for (int n : {1, 2, 3})
@@ -108,6 +111,7 @@ TEST(HardCase20, ResolutionsAboveTheDriversLimitAreReduced) {
 }
 
 // Case 29: points outside the map, and at its border.
+SI_TEST_IS(Later, HardCase29, PointsOutsideTheMapAreLit);
 TEST(HardCase29, PointsOutsideTheMapAreLit) {
     const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
     for (const char* filter : {"hard", "hw2x2", "pcf5"}) {

@@ -12,6 +12,7 @@
 #include "tests/support/hard_case.h"
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -192,6 +193,7 @@ TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
 }
 
 // For casters well above the floor both kinds agree: no edge moves or widens.
+SI_TEST_IS(Later, ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth);
 TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.6);
     for (const Filter& row : filters())

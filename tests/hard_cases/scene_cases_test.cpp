@@ -9,6 +9,7 @@
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -120,6 +121,7 @@ TEST(HardCase17, EmptyScenesAreDrawn) {
 }
 
 // Case 18: a plane straight under the light has a depth range of zero.
+SI_TEST_IS(Later, HardCase18, BoundsWithoutThicknessGiveFiniteFits);
 TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     const Scene scene = make_scene(make_plane(10, 10));
     const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // range of a fit without a minimum

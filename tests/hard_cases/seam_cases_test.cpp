@@ -8,6 +8,7 @@
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -48,6 +49,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, HardCase30, SeamsHaveNoMoreErrorThanFaces);
 TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(4e3, -120, 9e3)})
         for (const glm::dvec3& lamp : {glm::dvec3(0, 2, 0), glm::dvec3(0.3, 1.7, -0.4)})
@@ -71,6 +73,7 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
 }
 
 // All texels of a look-up lie in its face: nothing outside the sides is ever read.
+SI_TEST_IS(Later, HardCase30, NothingIsReadOutsideAFace);
 TEST_F(HardCase30, NothingIsReadOutsideAFace) {
     const Scene scene = hard_cases()[30 - 1].make();
     for (const Sets& reach : {Sets{"filter.kernel=pcf9", "bias.normal=6"},

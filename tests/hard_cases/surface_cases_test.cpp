@@ -10,6 +10,7 @@
 #include "tests/support/hard_view.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -32,6 +33,7 @@ double caught_share(double width, const glm::dvec2& texel_across) {
     return sum / (kSteps * kSteps);
 }
 
+SI_TEST_IS(Later, HardCase21, WiresLoseTheShareThatTheirWidthPredicts);
 TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
     double before = 1;
     for (const char* resolution : {"256", "512", "1024", "2048", "4096"}) {
@@ -81,6 +83,7 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
     EXPECT_LT(before, 0.1);
 }
 
+SI_TEST_IS(Later, HardCase27, FacesOnePixelWideHaveTheirOwnPlane);
 TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     const DrawnCase c = hard_view("edge-on-planes", true);
     const ReferenceErrors e = compare_with_reference(draw_shot(c), c.scene, reach_of(c.settings).edge + 1);
@@ -98,6 +101,7 @@ TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
 }
 
+SI_TEST_IS(Later, HardCase37, BentGroundDoesNotShadowItself);
 TEST(HardCase37, BentGroundDoesNotShadowItself) {
     const auto darkened_share = [](bool fixed, const Sets& changes) {
         const ErrorMetrics m = measured(hard_view("bent-ground", fixed, changes)).metrics;
@@ -132,6 +136,7 @@ double wrong_share(const MeasuredError& e) {
     return double(wrong) / double(std::max<std::size_t>(e.metrics.counted, 1));
 }
 
+SI_TEST_IS(Later, HardCase32, AlphaHolesLetLightThrough);
 TEST(HardCase32, AlphaHolesLetLightThrough) {
     const DrawnCase c = hard_view("alpha", true);
     const MeasuredError e = measured(c);
@@ -163,6 +168,7 @@ TEST(HardCase33, MeshesThatAreNotFiniteAreLeftOutAlone) {
     }
 }
 
+SI_TEST_IS(Later, HardCase35, FacetsTurnedAwayAreNotAcne);
 TEST(HardCase35, FacetsTurnedAwayAreNotAcne) {
     const DrawnCase c = hard_view("smooth-terminator", true);
     const DrawnCase broken = hard_view("smooth-terminator", false);

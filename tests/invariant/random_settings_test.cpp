@@ -20,6 +20,7 @@
 #include "tests/support/environment_number.h"
 #include "tests/support/requested_driver.h"
 #include "tests/support/sets.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -120,6 +121,7 @@ protected:
 };
 
 /// Reduced settings of faults that earlier runs found.
+SI_TEST_IS(Later, RandomSettings, EarlierFaultsStayFixed);
 TEST_F(RandomSettings, EarlierFaultsStayFixed) {
     struct Found {
         const char* scene;
@@ -157,6 +159,7 @@ TEST_F(RandomSettings, EarlierFaultsStayFixed) {
 
 class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
 
+SI_TEST_IS(Later, RandomSeeds, GiveFinitePicturesAndNoBrighterShadows);
 TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
     const unsigned first = environment_number("SI_RANDOM_FIRST", 0),
                    seeds = environment_number("SI_RANDOM_SEEDS", kUsualSeeds);

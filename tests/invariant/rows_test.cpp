@@ -18,6 +18,7 @@
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/square_kernels.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -188,6 +189,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
 }
 
+SI_TEST_IS(Later, EachKernel, FinerMapsAreCloserToTheReference);
 TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     const auto error = [&](int resolution) {
@@ -206,6 +208,7 @@ TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
     EXPECT_LT(fine, 0.6 * coarse);
 }
 
+SI_TEST_IS(Later, EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu);
 TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     Settings s = settings_of(c, 64);

@@ -11,6 +11,7 @@
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -64,6 +65,7 @@ double crossing(const std::map<int, std::pair<double, int>>& stripes, double str
     return 0;
 }
 
+SI_TEST_IS(Later, SoftKernels, PenumbraWidthsMatchTheLightsSize);
 TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
     const Scene scene = covered_floor_and_a_brick();
     const std::pair<const char*, Sets> kernels[] = {
@@ -102,6 +104,7 @@ TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
 
 // A radius in metres has one width on the ground for every resolution and every texel size of a perspective map; the
 // reach reports it.
+SI_TEST_IS(Later, SampledKernels, ARadiusInMetresHoldsUnderEveryLight);
 TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
     const Scene scene = covered_floor_and_a_brick();
     for (const LightType type : kLightTypes)
@@ -150,6 +153,7 @@ TEST(SampledKernels, ReportWhereTheirTableEnds) {
 }
 
 // Each kernel is compared with its own limit, 4096 samples.
+SI_TEST_IS(Later, SampledKernels, NoiseFallsWithTheSlopeOfTheirRows);
 TEST(SampledKernels, NoiseFallsWithTheSlopeOfTheirRows) {
     const Scene scene = covered_floor_and_a_brick();
     int rows = 0;

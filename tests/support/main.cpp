@@ -32,7 +32,9 @@ constexpr struct {
     Trait trait;
 } kTraits[] = {{"driver-independent", Trait::DriverIndependent},
                {"repeated", Trait::Repeated},
+               {"system-allocator", Trait::SystemAllocator},
                {"product", Trait::Product},
+               {"later", Trait::Later},
                {"slow", Trait::Slow},
                {"minutes", Trait::Minutes},
                {"frames", Trait::Frame},
@@ -118,7 +120,7 @@ int main(int argc, char** argv) {
         }
     std::string filter = testing::GTEST_FLAG(filter), only, without;
     const bool lists = testing::GTEST_FLAG(list_tests);
-    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", lists ? "long,minutes,slow,frames" : "long", 0);
+    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", lists ? "long,minutes,later,slow,frames" : "long", 0);
     // The driver keeps compiled shaders here, also for commands and windows, because compiling takes half of the time.
     setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
     if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;

@@ -7,8 +7,10 @@ namespace si::test {
 enum class Trait {
     DriverIndependent,  ///< same result on every driver: left out of the run on a second driver
     Repeated,           ///< repetition of one computation or drawing: left out under the sanitizers
+    SystemAllocator,    ///< memory counted, or passed between threads: runs with the C library's allocator
     Product,            ///< loop over combinations() or portion(): once more over everything with SI_FULL_PRODUCTS=1
-    Slow,               ///< duration above eight seconds: left out of the quick run, runs in the stage slow
+    Later,              ///< duration above three seconds: left out of the quick run, runs in the stage slow
+    Slow,               ///< as Later, and left out of the run on a second driver: duration above eight seconds
     Minutes,            ///< duration of minutes: runs in the stage products
     Frame,              ///< import of frames that RenderDoc captured: runs in the stage frames
     Long,               ///< duration of many minutes: run by hand

@@ -7,6 +7,7 @@
 
 #include "app/convert/targets.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
@@ -63,6 +64,7 @@ protected:
     TestEditor editor_;
 };
 
+SI_TEST_IS(Later, ConvertPreview, ShowsTheCodeOfEveryTarget);
 TEST_F(ConvertPreview, ShowsTheCodeOfEveryTarget) {
     ASSERT_EQ(facts().targets.size(), convert_targets().size());
     for (const ConvertTarget& target : convert_targets()) {
@@ -73,6 +75,7 @@ TEST_F(ConvertPreview, ShowsTheCodeOfEveryTarget) {
     }
 }
 
+SI_TEST_IS(Later, ConvertPreview, FollowsSettingsAndAngle);
 TEST_F(ConvertPreview, FollowsSettingsAndAngle) {
     choose("three");
     const std::string before = facts().text;
@@ -89,6 +92,7 @@ TEST_F(ConvertPreview, FollowsSettingsAndAngle) {
     EXPECT_NE(facts().problem.find("set map.virtual to false"), std::string::npos) << facts().problem;
 }
 
+SI_TEST_IS(Later, ConvertPreview, MeasuresAngleErrorAndTime);
 TEST_F(ConvertPreview, MeasuresAngleErrorAndTime) {
     choose("three");
     EXPECT_EQ(facts().text.find("measured on"), std::string::npos);
@@ -127,6 +131,7 @@ TEST_F(ConvertPreview, SavesWholeAndReplacesOnlyWhenTold) {
     EXPECT_FALSE(facts().replaces);
 }
 
+SI_TEST_IS(Later, ConvertPreview, RefusesWithAdvice);
 TEST_F(ConvertPreview, RefusesWithAdvice) {
     choose("three");
     save((folder_ / "missing" / "a.js").string());

@@ -31,6 +31,7 @@ PixelDiagnosis acne_diagnosis() {
 /// ID of the group of light 0: the bytes of its number.
 const std::string kGroupOfLight(sizeof(int), '\0');
 
+SI_TEST_IS(Later, DiagnosisPanel, ShowsAFixOnlyOnceItWasTried);
 TEST(DiagnosisPanel, ShowsAFixOnlyOnceItWasTried) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -95,6 +96,7 @@ TEST(DiagnosisPanel, DrawsDuringReferenceTracingAtAnySize) {
     }
 }
 
+SI_TEST_IS(Later, TuneControls, ButtonsRequestAndCancelASearch);
 TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     UiHarness ui(1280, 720);
     ui.frames(4);
@@ -186,6 +188,7 @@ EditorRequests small_picture() {
     return request;
 }
 
+SI_TEST_IS(Later, EditorTuning, FindsTheLeastBiasInTheBackgroundAndShowsIt);
 TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAndShowsIt) {
     TestEditor editor(biased_boxes());
     EditorModel& model = editor.model();
@@ -225,6 +228,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAndShowsIt) {
     EXPECT_FALSE(model.facts().tuned_current);
 }
 
+SI_TEST_IS(Later, EditorTuning, ComparesWithAnAreaOnRequest);
 TEST(EditorTuning, ComparesWithAnAreaOnRequest) {
     TestEditor editor(biased_boxes());
     EditorModel& model = editor.model();
@@ -242,6 +246,7 @@ TEST(EditorTuning, ComparesWithAnAreaOnRequest) {
     EXPECT_FALSE(model.state.tried->settings.truth.area) << "the search's own setting";
 }
 
+SI_TEST_IS(Later, EditorTuning, IsNotShownBesideOtherSettings);
 TEST(EditorTuning, IsNotShownBesideOtherSettings) {
     TestEditor editor(biased_boxes());
     EditorModel& model = editor.model();

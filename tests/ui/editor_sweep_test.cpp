@@ -59,6 +59,7 @@ struct Swept {
     }
 };
 
+SI_TEST_IS(Later, EditorSweep, MeasuresInTheBackground);
 TEST(EditorSweep, MeasuresInTheBackground) {
     Swept s(boxes());
     s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
@@ -145,6 +146,7 @@ TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOn
 }
 SI_TEST_IS(Slow, EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOnes);
 
+SI_TEST_IS(Later, EditorSweep, CancelledSweepContinues);
 TEST(EditorSweep, CancelledSweepContinues) {
     const fs::path state = fresh_test_folder();
     std::size_t kept = 0;
@@ -212,6 +214,7 @@ TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
     EXPECT_TRUE(fs::exists(state / "sweep-1")) << "what was found is worth keeping";
 }
 
+SI_TEST_IS(Later, EditorSweep, SavedAndOpenedSweepIsTheSame);
 TEST(EditorSweep, SavedAndOpenedSweepIsTheSame) {
     const fs::path folder = fresh_test_folder();
     {

@@ -11,6 +11,7 @@
 #include "app/session/presets.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 
 namespace si {
@@ -82,6 +83,7 @@ TEST(Editor, ShowsThePixelsOfTheRenderer) {
     EXPECT_TRUE(found);
 }
 
+SI_TEST_IS(Later, Editor, DrawsEveryOverlayMapViewLightAndFace);
 TEST(Editor, DrawsEveryOverlayMapViewLightAndFace) {
     TestEditor editor(editor_options("boxes", {"map.resolution=512"}, {960, 600}));
     const EditorRequests still = editor.frame();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/measure/optimisation_times.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/theme.h"
@@ -212,6 +213,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsOnEveryTab) {
     EXPECT_FALSE(ui.drawn().shows("last timed"));
 }
 
+SI_TEST_IS(Later, EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt);
 TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_page = Page::Effects;
@@ -237,6 +239,7 @@ TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
 }
 
+SI_TEST_IS(Later, EffectsPanel, RequestsAndCancelsAMeasurement);
 TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_page = Page::Effects;
@@ -256,6 +259,7 @@ const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
     return nullptr;
 }
 
+SI_TEST_IS(Later, EditorEffects, AreComputedOnlyWhileThePanelIsShown);
 TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     TestEditor editor;
     EditorState& state = editor.state();
@@ -290,6 +294,7 @@ TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotNeeded) << "its panel is hidden";
 }
 
+SI_TEST_IS(Later, EditorEffects, NextArtefactIsSearchedOnceAndListed);
 TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     TestEditor editor(
         editor_options("boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
@@ -313,6 +318,7 @@ TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     EXPECT_EQ(listed().state, EffectState::Drawn);
 }
 
+SI_TEST_IS(Later, EditorEffects, SavingsAreMeasuredInTheBackgroundAndAForcedFrameIsRedrawn);
 TEST(EditorEffects, SavingsAreMeasuredInTheBackgroundAndAForcedFrameIsRedrawn) {
     TestEditor editor(
         editor_options("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));

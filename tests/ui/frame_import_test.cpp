@@ -16,6 +16,7 @@
 
 #include "app/editor/persistence.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/scene_choices.h"
@@ -344,6 +345,7 @@ ImportRequests clicked(UiHarness& ui, const std::string& window, const std::stri
     return out;
 }
 
+SI_TEST_IS(Later, ImportDialogs, WarningChoicesAndProgressAreDrawn);
 TEST(ImportDialogs, WarningChoicesAndProgressAreDrawn) {
     UiHarness ui(1280, 720);
     ui.importing = ImportFacts{.step = ImportStep::Warning, .file = "/a/frame.rdc"};

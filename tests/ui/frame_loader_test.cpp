@@ -8,6 +8,7 @@
 #include "app/editor/shader_warmup.h"
 #include "renderer/gl/target.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 
 namespace si {
@@ -36,6 +37,7 @@ Bytes shown_picture(HeadlessEditor& editor) {
     return out;
 }
 
+SI_TEST_IS(Later, FrameLoader, FirstPictureReportsItsProgress);
 TEST(FrameLoader, FirstPictureReportsItsProgress) {
     HeadlessEditor editor(options_of(std::chrono::milliseconds(0)));
     EditorModel& model = editor.model();
@@ -75,6 +77,7 @@ TEST(FrameLoader, OldPictureStaysUntilTheNextIsShown) {
     EXPECT_FALSE(editor->model().drawing());
 }
 
+SI_TEST_IS(Later, FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw);
 TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
     std::vector<Bytes> pictures[2];
     double visibility[2] = {-1, -2};

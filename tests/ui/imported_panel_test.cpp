@@ -4,6 +4,7 @@
 #include "renderer/base/index_of.h"
 #include "renderer/inspect/map_comparison.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/traits.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/selection.h"
 
@@ -64,6 +65,7 @@ TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
     }
 }
 
+SI_TEST_IS(Later, ImportedPanel, TheEnginesBiasIsEntered);
 TEST(ImportedPanel, TheEnginesBiasIsEntered) {
     UiHarness ui(1900, 1000);
     ui.maps_imported = true;

@@ -106,6 +106,7 @@ TEST_F(ImprovePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     EXPECT_EQ(ui.state.history.undo(), before) << "both settings in one step";
 }
 
+SI_TEST_IS(Later, ImprovePanelTest, HasOneAimForEverySearch);
 TEST_F(ImprovePanelTest, HasOneAimForEverySearch) {
     const auto shows = [&](const char* label) { return ui.find("found", "", label).has_value(); };
     for (const auto& [aims, mode, search] : {std::tuple{"Fix the picture", ImproveMode::Picture, "Find fixes"},
@@ -161,6 +162,7 @@ TEST_F(ImprovePanelTest, MarksAdviceForOtherSettings) {
     EXPECT_EQ(ui.lacking({"of other settings: measure again"}), "");
 }
 
+SI_TEST_IS(Later, ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot);
 TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     aim(ImproveMode::Limits);
     AutopilotResult flight;
@@ -220,6 +222,7 @@ TEST(ImproveWaste, IsRequestedAndShowsItsRows) {
     EXPECT_EQ(ui.lacking({"of other settings: search again", "Stopped before all work was left out once."}), "");
 }
 
+SI_TEST_IS(Later, EditorWasteTest, SearchesInTheBackgroundAndChangesNothing);
 TEST(EditorWasteTest, SearchesInTheBackgroundAndChangesNothing) {
     TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();

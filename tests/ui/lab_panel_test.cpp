@@ -3,6 +3,7 @@
 
 #include "app/base/output.h"
 #include "renderer/settings/overlays.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
@@ -53,6 +54,7 @@ TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     EXPECT_EQ(ui.lacking({"40%"}), "");
 }
 
+SI_TEST_IS(Later, EditorLab, MeasuresInTheBackgroundAndChangesNothing);
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     TestEditor editor;
     EditorModel& model = editor.model();

@@ -9,6 +9,7 @@
 
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/theme.h"
@@ -205,6 +206,7 @@ TEST(Layout, DoubleClickResetsASplitter) {
     EXPECT_EQ(ui.state.layout.settings_width, EditorLayout{}.settings_width);
 }
 
+SI_TEST_IS(Later, Layout, ControlsWithoutRoomMoveToTheMenuOfTheRow);
 TEST(Layout, ControlsWithoutRoomMoveToTheMenuOfTheRow) {
     Shown ui(900, 600);
     EXPECT_FALSE(ui.find("editor/scene", "view.frustum", "##value"));
@@ -268,6 +270,7 @@ TEST(Layout, LegendInThePictureHasOpacityAndScale) {
     EXPECT_FALSE(ui.find("/legend_", "view.overlay_range", "##value"));
 }
 
+SI_TEST_IS(Later, Layout, EveryOverlayHasAKeyOfItsOwn);
 TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
     std::set<std::string> keys;
     for (int number = 0; number <= int(overlays().size()); ++number) {
@@ -382,6 +385,7 @@ TEST(Layout, ClickedPixelIsShownBesideThePicture) {
     EXPECT_TRUE(ui.state.shows(Page::Improve));
 }
 
+SI_TEST_IS(Later, Layout, TabWithSeveralPagesHasAButtonForEach);
 TEST(Layout, TabWithSeveralPagesHasAButtonForEach) {
     for (const int width : {800, 1280, 2560}) {
         Shown ui(width, 720);

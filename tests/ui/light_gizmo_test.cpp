@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/traits.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/light_drag.h"
@@ -41,6 +42,7 @@ struct Gizmo {
     void key(int index, bool down) { ImGui::GetIO().KeysDown[ImGui::GetKeyIndex(index)] = down; }
 };
 
+SI_TEST_IS(Later, LightGizmo, EveryHandleChangesTheLightInOneUndoStep);
 TEST(LightGizmo, EveryHandleChangesTheLightInOneUndoStep) {
     int dragged = 0;
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})

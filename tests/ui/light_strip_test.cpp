@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
@@ -95,6 +96,7 @@ TEST_F(LightStripTest, ADragSetsTheLightAndTheWorstStepIsSaved) {
     EXPECT_NE(ui.state.files.dialog.about.find("largest error"), std::string::npos);
 }
 
+SI_TEST_IS(Later, EditorLightStrip, MeasuresInTheBackground);
 TEST(EditorLightStrip, MeasuresInTheBackground) {
     TestEditor editor;
     EditorRequests request = editor.requests();

@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
@@ -321,6 +322,7 @@ TEST(Loading, ObjectsMissingInTheFirstSceneAreDroppedAndReported) {
     EXPECT_THROW(strict.model().require_scene(), UsageError);
 }
 
+SI_TEST_IS(Later, Loading, SceneIndexReadsAnotherSceneOfTheFile);
 TEST(Loading, SceneIndexReadsAnotherSceneOfTheFile) {
     test::TemporaryFolder folder;
     test::GltfFile file;

@@ -12,6 +12,7 @@
 #include "renderer/inspect/grey_range.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/drawn_text.h"
 #include "tests/ui/test_editor.h"
 #include "ui/map_view/depth_plots.h"
@@ -55,6 +56,7 @@ std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
     return count;
 }
 
+SI_TEST_IS(Later, MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel);
 TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     WideEditor editor;
     EXPECT_EQ(editor.facts().texel_usage, nullptr) << "links are read without a mouse";
@@ -77,6 +79,7 @@ TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
 }
 
+SI_TEST_IS(Later, MapViewer, HoveredTexelMarksThePixelsThatReadIt);
 TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     WideEditor editor({"map.resolution=64"});  // texels read by many pixels
     const ByteImage before = editor.picture();
@@ -91,6 +94,7 @@ TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
 }
 
 // The exact set equals the squares around kernels for kernels that read their whole square, and is smaller otherwise.
+SI_TEST_IS(Later, MapViewer, ReadTexelsAreMarkedExactlyOnRequest);
 TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     const auto shares = [](const std::string& kernel, const char* picture) {
         WideEditor editor(
@@ -120,6 +124,7 @@ TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     EXPECT_LT(poisson, 0.98 * poisson_squares);
 }
 
+SI_TEST_IS(Later, MapViewer, HistogramCountsEveryTexel);
 TEST(MapViewer, HistogramCountsEveryTexel) {
     WideEditor editor;
     const EditorFrame facts = editor.facts();
@@ -145,6 +150,7 @@ TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
     EXPECT_EQ(facts.map_facts->histogram.below + facts.map_facts->histogram.above, 0u);
 }
 
+SI_TEST_IS(Later, MapViewer, ContrastFitsItselfUntilItIsSwitchedOff);
 TEST(MapViewer, ContrastFitsItselfUntilItIsSwitchedOff) {
     for (const char* view : {"linear", "raw"}) {
         WideEditor editor({std::string("view.map=") + view, "light.type=spot"});
@@ -168,6 +174,7 @@ TEST(MapViewer, ContrastFitsItselfUntilItIsSwitchedOff) {
 }
 
 // The scale's ends are the contrast's ends in metres; for depths as stored both numbers are given.
+SI_TEST_IS(Later, MapViewer, GreyRangeHasUnits);
 TEST(MapViewer, GreyRangeHasUnits) {
     for (const char* view : {"linear", "raw"}) {
         WideEditor editor({"view.map_fit=true", std::string("view.map=") + view, "light.type=spot"});
@@ -187,6 +194,7 @@ TEST(MapViewer, GreyRangeHasUnits) {
     }
 }
 
+SI_TEST_IS(Later, MapViewer, SavesTheStoredDepth);
 TEST(MapViewer, SavesTheStoredDepth) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "saved_map.pfm";
     std::filesystem::remove(file);
@@ -237,6 +245,7 @@ TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "camera_depth.png", editor.picture());
 }
 
+SI_TEST_IS(Later, MapViewer, LostCastersAreReported);
 TEST(MapViewer, LostCastersAreReported) {
     WideEditor editor({"caster.cull=front"});
     EXPECT_TRUE(editor.facts().lost_casters.empty()) << "sought for a panel that is hidden";
@@ -274,6 +283,7 @@ TEST(MapMarks, ScreenAndMapCoordinatesAreInverse) {
     EXPECT_FLOAT_EQ(hi.y, 100);
 }
 
+SI_TEST_IS(Later, MapViewer, EmptyLevelOfAVirtualMapNamesTheFullestOne);
 TEST(MapViewer, EmptyLevelOfAVirtualMapNamesTheFullestOne) {
     WideEditor editor({"map.virtual=true", "map.resolution=1024"});
     const std::optional<PageFacts> pages = editor.facts().result->pages;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "tests/support/traits.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/map_view/map_marks.h"
 
@@ -94,6 +95,7 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhileShown) {
     EXPECT_FALSE(m.ui.frames(2).want_frozen_usage) << "the map is not shown";
 }
 
+SI_TEST_IS(Later, MapWindow, CheckboxRequestsExactTexelsWhileTheMapIsShown);
 TEST(MapWindow, CheckboxRequestsExactTexelsWhileTheMapIsShown) {
     MapViewer m(1400);
     m.ui.state.layout.settings_width = 14;

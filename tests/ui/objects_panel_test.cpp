@@ -8,6 +8,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "tests/support/traits.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/pick.h"
 #include "ui/state/selection.h"
@@ -335,6 +336,7 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
     EXPECT_NE(ui.state.log.lines().back().text.find("Nothing is selected"), std::string::npos);
 }
 
+SI_TEST_IS(Later, ObjectsPanel, HiddenObjectsStayListedAndAButtonShowsThem);
 TEST_F(ObjectsPanel, HiddenObjectsStayListedAndAButtonShowsThem) {
     hide(ui.state.settings, {"Stage/Plinth"});
     hide_objects(ui.scene, {"Stage/Plinth"});

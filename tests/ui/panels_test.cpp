@@ -177,6 +177,7 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
 
 // ImGui identifies a widget by its ID: two widgets of one ID take each other's clicks. Each ID may cover only one
 // stretch of the column of values.
+SI_TEST_IS(Later, Panels, NoIdIsUsedTwiceInTheSettings);
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     UiHarness ui(kWidth, 6000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
@@ -341,6 +342,7 @@ TEST(Panels, DepthBiasHasNoTrailingZeros) {
 }
 
 /// Labels are free texts: authors of commands and presets find the key in the tooltip.
+SI_TEST_IS(Later, Panels, TooltipOfEverySettingShowsItsKey);
 TEST(Panels, TooltipOfEverySettingShowsItsKey) {
     UiHarness ui(kWidth, 6000);                     // tall enough to hold all rows
     ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open

@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
@@ -190,6 +191,7 @@ struct Film {
     Film() { options = test::editor_options(folder.write("sun.glb", moving_sun().glb()).string()); }
 };
 
+SI_TEST_IS(Later, Playback, AnimatedLightsAreNoUndoSteps);
 TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     Film film;
     test::TestEditor editor(film.options);
@@ -227,6 +229,7 @@ TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
 }
 
+SI_TEST_IS(Later, Playback, HeadlessEditorShowsTheTimeOfTheSettings);
 TEST(Playback, HeadlessEditorShowsTheTimeOfTheSettings) {
     Film film;
     film.options.session.sets = {"scene.time=0.25"};

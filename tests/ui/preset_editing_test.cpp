@@ -16,6 +16,7 @@
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
@@ -85,6 +86,7 @@ protected:
     std::unique_ptr<test::TestEditor> editor_;
 };
 
+SI_TEST_IS(Later, PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack);
 TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
@@ -134,6 +136,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyAfterConfirmation) {
     expect_no_errors();
 }
 
+SI_TEST_IS(Later, PresetEditing, UnsavedSettingsAreOfferedAgainForAnyScene);
 TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainForAnyScene) {
     const auto offered = [&]() -> std::optional<double> {
         const Autosave found(folder_ / "state");
@@ -233,6 +236,7 @@ TEST_F(PresetEditing, PresetNamesItsSceneByAPathThatWorksAnywhere) {
     expect_no_errors();
 }
 
+SI_TEST_IS(Later, PresetEditing, DifferencesAreAppliedSinglyAndUndone);
 TEST_F(PresetEditing, DifferencesAreAppliedSinglyAndUndone) {
     EditorOptions large = preset_options();
     large.width = 1280;
@@ -316,6 +320,7 @@ TEST_F(PresetEditing, UndoWithoutItsSceneChangesNothing) {
     EXPECT_FALSE(state().history.can_redo());
 }
 
+SI_TEST_IS(Later, PresetEditing, CrashedSessionIsRestoredAndUndone);
 TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     open(remembering());
     model().write_when_due();
@@ -372,6 +377,7 @@ TEST_F(PresetEditing, SessionWithAMissingSceneStaysOffered) {
     EXPECT_FALSE(model().facts().lost);
 }
 
+SI_TEST_IS(Later, PresetEditing, LayoutAndRecentFilesPersist);
 TEST_F(PresetEditing, LayoutAndRecentFilesPersist) {
     save_gltf(load_scene("boxes"), folder_ / "recent.gltf");
     open(remembering());
@@ -405,6 +411,7 @@ TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
 }
 
 // The copied command draws the shown picture.
+SI_TEST_IS(Later, PresetEditing, CopiedCommandLineDrawsTheSamePicture);
 TEST_F(PresetEditing, CopiedCommandLineDrawsTheSamePicture) {
     open();
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {

@@ -11,6 +11,7 @@
 #include "app/session/presets.h"
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
@@ -105,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PresetPanels,
                          testing::Values(std::tuple{1280, 720, 1.0f}, std::tuple{1920, 1080, 1.0f},
                                          std::tuple{3840, 2160, 2.0f}, std::tuple{700, 480, 1.0f}));
 
+SI_TEST_IS(Later, PresetStrips, ButtonsWalkHideRestoreAndDiscard);
 TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     UiHarness ui(1280, 720);
     ui.presets = guided();

@@ -11,6 +11,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/camera_steering.h"
@@ -39,6 +40,7 @@ struct Probing : TestEditor {
     const Probe* probe() { return facts().probe; }
 };
 
+SI_TEST_IS(Later, Probing, ProbeSticksToItsSurface);
 TEST(Probing, ProbeSticksToItsSurface) {
     Probing editor;
     const glm::dvec2 size = editor.state().viewport.view->size;
@@ -190,6 +192,7 @@ TEST(Probing, EscapeThatClosesAMenuKeepsTheProbe) {
     EXPECT_FALSE(ui.state.probe_pixel);
 }
 
+SI_TEST_IS(Later, Probing, HoveredArtefactIsNamed);
 TEST(Probing, HoveredArtefactIsNamed) {
     Probing editor(
         {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
@@ -214,6 +217,7 @@ TEST(Probing, HoveredArtefactIsNamed) {
     EXPECT_GE(right, 3);
 }
 
+SI_TEST_IS(Later, ArtefactTour, VisitsClustersAndProbesThem);
 TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     Probing editor({"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();

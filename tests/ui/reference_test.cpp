@@ -14,6 +14,7 @@
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 
 namespace si {
@@ -56,6 +57,7 @@ std::size_t different_bytes(const ByteImage& a, const ByteImage& b) {
     return count;
 }
 
+SI_TEST_IS(Later, EditorReference, TracesOnlyOnRequestAndFollowsTheBias);
 TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     test::TestEditor editor(options(kNoBias));
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
@@ -107,6 +109,7 @@ TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     expect_calm(editor);
 }
 
+SI_TEST_IS(Later, EditorReference, CancelHoldsUntilAChange);
 TEST(EditorReference, CancelHoldsUntilAChange) {
     // More rays than can be traced before the cancel.
     std::vector<std::string> sets = kNoBias;
@@ -121,6 +124,7 @@ TEST(EditorReference, CancelHoldsUntilAChange) {
     EXPECT_TRUE(editor.model().facts().error);
 }
 
+SI_TEST_IS(Later, EditorReference, OverlayWaitsForTheReferenceAndShowsIt);
 TEST(EditorReference, OverlayWaitsForTheReferenceAndShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
@@ -153,6 +157,7 @@ std::size_t receivers_held() {
     return 0;
 }
 
+SI_TEST_IS(Later, EditorReference, KeepsEarlierViewsOfTheSameCastersOnly);
 TEST(EditorReference, KeepsEarlierViewsOfTheSameCastersOnly) {
     const std::size_t others = receivers_held();
     std::vector<std::string> sets = kNoBias;
@@ -177,6 +182,7 @@ TEST(EditorReference, KeepsEarlierViewsOfTheSameCastersOnly) {
     EXPECT_EQ(receivers_held(), others + 1) << "the casters have moved";
 }
 
+SI_TEST_IS(Later, EditorReference, ViewThatComesBackNeedsNoRays);
 TEST(EditorReference, ViewThatComesBackNeedsNoRays) {
     std::vector<std::string> sets = kNoBias;
     sets.push_back("camera.source=manual");
@@ -200,6 +206,7 @@ TEST(EditorReference, ViewThatComesBackNeedsNoRays) {
     expect_calm(editor);
 }
 
+SI_TEST_IS(Later, EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture);
 TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
     // More rays than any machine traces before the last tab.
     std::vector<std::string> sets = kNoBias;
@@ -231,6 +238,7 @@ TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
     ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
 }
 
+SI_TEST_IS(Later, EditorReference, PixelsAppearWhileTheyAreTracedAndStayAfterCancel);
 TEST(EditorReference, PixelsAppearWhileTheyAreTracedAndStayAfterCancel) {
     std::vector<std::string> sets = kNoBias;
     for (const char* set : {"truth.area=true", "truth.samples=1048576", "truth.noise=0", "light.size=5",
@@ -258,6 +266,7 @@ TEST(EditorReference, PixelsAppearWhileTheyAreTracedAndStayAfterCancel) {
     expect_calm(editor);
 }
 
+SI_TEST_IS(Later, EditorReference, SavesAllNumbers);
 TEST(EditorReference, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
@@ -289,6 +298,7 @@ std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& 
     return out;
 }
 
+SI_TEST_IS(Later, EditorPictureComparison, SwipeShowsBothSidesAndIsDragged);
 TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     test::TestEditor editor(options({"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard",
                                      "view.frustum=false", "view.axes=false", "map.resolution=256"}));
@@ -338,6 +348,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     expect_calm(editor);
 }
 
+SI_TEST_IS(Later, EditorPictureComparison, ComparesWithPresetsInAllViews);
 TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
@@ -375,6 +386,7 @@ TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
+SI_TEST_IS(Later, EditorPictureComparison, PinIsFlickeredAndCompared);
 TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
     test::TestEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.state();
@@ -436,6 +448,7 @@ TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
 }
 
 // Light maps are baked in parallel to frames; maps of another light are not shown.
+SI_TEST_IS(Later, EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves);
 TEST(EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves) {
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
@@ -468,6 +481,7 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves) {
 }
 
 // A failed bake of one light does not block the other.
+SI_TEST_IS(Later, EditorLightMap, MapsThatDoNotFitAreTriedOnceEach);
 TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
     HeadlessEditor editor(options({"light.count=2", "light.1.azimuth=80", "light.source=light-map",
                                    "light.1.source=light-map", "light_map.resolution=16", "view.frustum=false"}));

@@ -12,6 +12,7 @@
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/unit/gltf_test_file.h"
 #include "ui/state/selection.h"
@@ -96,6 +97,7 @@ TEST_F(Reload, IsOfferedOnceTheFileIsWrittenAndLooksAreRare) {
     EXPECT_FALSE(offers(e));
 }
 
+SI_TEST_IS(Later, Reload, KeepsCameraSettingsAndSelection);
 TEST_F(Reload, KeepsCameraSettingsAndSelection) {
     test::TestEditor e = editor();
     EditorState& state = e.state();

@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+SI_TEST_IS(Later, ReportDialogTest, TheMenuOpensItAndItsButtonRequestsAPage);
 TEST(ReportDialogTest, TheMenuOpensItAndItsButtonRequestsAPage) {
     UiHarness ui(1280, 720);
     ui.frames(3);

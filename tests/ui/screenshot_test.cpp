@@ -12,6 +12,7 @@
 #include <set>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 
 namespace si {
@@ -28,6 +29,7 @@ ByteImage read_back(const fs::path& file) {
     return image;
 }
 
+SI_TEST_IS(Later, Screenshot, SavesItsPartOfTheWindowUnderAFreeName);
 TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "boxes-scene-1.png") << "mine";
@@ -69,6 +71,7 @@ TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
     for (const auto& entry : fs::directory_iterator(folder)) EXPECT_GT(fs::file_size(entry), 0u) << entry.path();
 }
 
+SI_TEST_IS(Later, Screenshot, SectionDrawingIsSavedAsPngAndSvg);
 TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "boxes-drawing-1.svg") << "mine";

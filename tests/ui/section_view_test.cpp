@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/theme.h"
@@ -134,6 +135,7 @@ TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
     }
 }
 
+SI_TEST_IS(Later, EditorSection, IsComputedOnceAndOnlyWhileShown);
 TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     // The bias leaves the pixel without acne, so that no fix is searched.
     TestEditor editor(

@@ -9,6 +9,7 @@
 
 #include "renderer/gl/target.h"
 #include "renderer/inspect/effects.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 
 namespace si {
@@ -38,6 +39,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Later, EditorSmoothing, PausesDuringMeasurementsAndContinues);
 TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
     struct Measurement {
         const char* name;

@@ -6,6 +6,7 @@
 
 #include "app/base/output.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/light_list.h"
@@ -59,6 +60,7 @@ TEST_F(Welcome, StageReplacesAnotherScene) {
     EXPECT_EQ(click("Look at the stage").load_scene, "stage");
 }
 
+SI_TEST_IS(Later, WelcomeOnce, IsRememberedAndNeverShownHeadless);
 TEST(WelcomeOnce, IsRememberedAndNeverShownHeadless) {
     EditorOptions options = editor_options("boxes", {}, {640, 400});
     options.welcome = true;
@@ -83,6 +85,7 @@ TEST(WelcomeOnce, IsRememberedAndNeverShownHeadless) {
     EXPECT_FALSE(shown(options));
 }
 
+SI_TEST_IS(Later, LightTheme, IsRememberedAndAppliedToTheWindow);
 TEST(LightTheme, IsRememberedAndAppliedToTheWindow) {
     EditorOptions options = editor_options();
     options.state_folder = fresh_test_folder();
