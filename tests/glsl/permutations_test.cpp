@@ -2,18 +2,18 @@
 //
 // Frames run without drawing: texts passed to glShaderSource are kept, the driver gets an empty shader instead, and
 // draw calls do nothing. Texts differ by defines, so frames go through
-//   - every choice of every setting (and of light, overlay, ...) with every kind of material,
-//   - every two choices that programs of any technique can meet (with SI_LONG, label `long`, every three that a file
-// shared by all techniques mentions), as many of them in a frame as possible,
-//   - each technique with all combinations of the choices that its own files mention,
-//   - alternating rows of the tables of techniques.
+//   - every choice of every setting (and of light, overlay, ...),
+//   - alternating rows of the tables of techniques,
+//   - in the stage slow, every choice with every kind of material,
+//   - every two choices that programs of any technique can meet (with SI_LONG, label `long`, every
+// three that a file shared by all techniques mentions), as many of them in a frame as possible,
+//   - and each technique with all combinations of the choices that its own files mention.
 // A new row costs as many frames as its own files have combinations. Each text is compiled once.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -37,6 +37,7 @@
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -406,10 +407,44 @@ protected:
         }
     }
 
+    /// Keeps all texts from now on.
+    void record() {
+        ASSERT_EQ(std::system("command -v glslangValidator > /dev/null"), 0) << "install the package glslang-tools";
+        glDrawArrays(GL_POINTS, 0, 0);  // epoxy looks functions up when they are first called
+        FrameRequest request{.width = 8, .height = 8};
+        Settings s;
+        set_setting(s, "view.slabs", "both");
+        renderer_->render(every_kind_, s, request);
+        renderer_ = std::make_unique<Renderer>();
+        glDrawArraysInstanced(GL_POINTS, 0, 0, 0);
+        glGetTextureImage(0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
+        while (glGetError() != GL_NO_ERROR) {
+        }
+        recorder_ = std::make_unique<Recorder>(fresh_test_folder());
+        renderer_->driver();  // the calibrations' shaders
+    }
+    /// Compiles what is left of the texts, and expects no errors and at least so many texts.
+    void expect_valid(std::size_t least_texts) {
+        EXPECT_EQ(recorder_->finish(), "");
+        EXPECT_GT(recorder_->texts(), least_texts);
+        std::printf("%zu texts from %d frames\n", recorder_->texts(), frames_);
+    }
+
+    /// Draws each choice by itself.
+    void draw_each_choice(const Scene& scene) {
+        for (const Axis& axis : all_)
+            for (const Change& choice : axis.choices) draw(scene, {&choice});
+        // A kernel's stored values are shown by code of its own, which some third choice may leave out of the frame.
+        const Change moment = {"view.map_channel=moment-1"};
+        for (const Axis& axis : all_)
+            if (axis.names.contains("FILTER_FILE"))
+                for (const Change* kernel : kinds_of(axis)) draw(scene, {kernel, &moment});
+    }
+
     /// Draws every two choices in one frame, in long runs every three that one of the shared files mentions. Each
     /// frame takes as many new ones as possible. Choices that remove the map from programs meet the others one at a
     /// time.
-    void draw_combined(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
+    void draw_combined() {
         struct Plain {
             const Axis* axis;
             std::vector<const Change*> choices;
@@ -417,7 +452,7 @@ protected:
         };
         std::vector<Plain> plain;
         std::vector<const Change*> hiding;
-        for (const Axis& axis : all) {
+        for (const Axis& axis : all_) {
             if (axis.owned) continue;
             std::vector<const Change*> choices = axis.files.empty() ? pointers(axis.choices) : kinds_of(axis);
             if (axis.hides)
@@ -427,7 +462,7 @@ protected:
         }
         for (const Change* hides : hiding)
             for (const Plain& p : plain)
-                for (const Change* other : p.choices) draw(scene, {hides, other});
+                for (const Change* other : p.choices) draw(few_kinds_, {hides, other});
 
         std::vector<const Change*> numbered;
         for (Plain& p : plain)
@@ -451,10 +486,10 @@ protected:
         for (std::size_t i = 0; i < plain.size(); ++i)
             for (std::size_t j = i + 1; j < plain.size(); ++j)
                 leave(leave, std::array<const Plain*, 2>{&plain[i], &plain[j]}, {});
-        for (const std::string& file : std::getenv("SI_LONG") ? files.shared() : std::set<std::string>()) {
+        for (const std::string& file : std::getenv("SI_LONG") ? files_.shared() : std::set<std::string>()) {
             std::vector<const Plain*> mentioned;
             for (const Plain& p : plain)
-                if (mentions_any(files.text(file), p.axis->names)) mentioned.push_back(&p);
+                if (mentions_any(files_.text(file), p.axis->names)) mentioned.push_back(&p);
             for (std::size_t i = 0; i < mentioned.size(); ++i)
                 for (std::size_t j = i + 1; j < mentioned.size(); ++j)
                     for (std::size_t k = j + 1; k < mentioned.size(); ++k)
@@ -477,39 +512,41 @@ protected:
             std::erase_if(left, [&](const Together& t) { return std::ranges::includes(chosen, t); });
             std::vector<const Change*> choices;
             for (const int c : chosen) choices.push_back(numbered[std::size_t(c)]);
-            draw(scene, choices);
+            draw(few_kinds_, choices);
         }
     }
 
-    /// Draws each row of each table of techniques with all combinations of the choices in its own files, then
-    /// alternating rows.
-    void draw_techniques(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
-        std::size_t most = 0;
-        for (const Axis& table : all) {
-            most = std::max(most, table.files.size());
+    /// Draws each row of each table of techniques with all combinations of the choices in its own files.
+    void draw_techniques() {
+        for (const Axis& table : all_)
             for (std::size_t row = 0; row < table.files.size(); ++row) {
-                const std::string text = files.own_text(table.files[row]);
+                const std::string text = files_.own_text(table.files[row]);
                 std::vector<std::vector<const Change*>> mentioned = {{&table.choices[row]}}, numbers;
-                for (const Axis& axis : all) {
+                for (const Axis& axis : all_) {
                     const bool of_table = !axis.files.empty();
                     const bool named = mentions_any(text, axis.names);
                     if (&axis == &table || (!named && (!of_table || axis.hides))) continue;
                     (axis.number || !named ? numbers : mentioned)
                         .push_back(of_table ? kinds_of(axis) : pointers(axis.choices));
                 }
-                draw_product(scene, mentioned, numbers);
+                draw_product(mentioned, numbers);
             }
-        }
+    }
+
+    /// Draws frames of one row of each table of techniques, until each row was in one.
+    void draw_alternating_techniques() {
+        std::size_t most = 0;
+        for (const Axis& table : all_) most = std::max(most, table.files.size());
         for (std::size_t turn = 0; turn < most; ++turn) {
             std::vector<const Change*> chosen;
-            for (const Axis& table : all)
+            for (const Axis& table : all_)
                 if (!table.files.empty() && !table.hides) chosen.push_back(&table.choices[turn % table.choices.size()]);
-            draw(scene, chosen);
+            draw(few_kinds_, chosen);
         }
     }
 
     /// Draws all combinations of one choice of each list, with alternating values of `numbers`.
-    void draw_product(const Scene& scene, const std::vector<std::vector<const Change*>>& lists,
+    void draw_product(const std::vector<std::vector<const Change*>>& lists,
                       const std::vector<std::vector<const Change*>>& numbers) {
         std::vector<std::size_t> at(lists.size(), 0);
         std::size_t turn = 0;
@@ -517,7 +554,7 @@ protected:
             std::vector<const Change*> chosen;
             for (std::size_t i = 0; i < at.size(); ++i) chosen.push_back(lists[i][at[i]]);
             for (const auto& choices : numbers) chosen.push_back(choices[turn % choices.size()]);
-            draw(scene, chosen);
+            draw(few_kinds_, chosen);
             more = false;
             for (std::size_t i = 0; i < at.size() && !more; ++i) {
                 more = ++at[i] < lists[i].size();
@@ -529,58 +566,48 @@ protected:
     const HeadlessContext context_;
     std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>();
     ReferenceCache references_;
-    Recorder* recorder_ = nullptr;
+    std::unique_ptr<Recorder> recorder_;
+    const Scene every_kind_ = scene_of(true), few_kinds_ = scene_of(false);
+    const std::vector<Axis> all_ = axes();
+    const ShaderFiles files_;
     int frames_ = 0;
 };
 
-TEST_F(Permutations, CompileWithTheReferenceCompiler) {
-    ASSERT_EQ(std::system("command -v glslangValidator > /dev/null"), 0) << "install the package glslang-tools";
-    const auto start = std::chrono::steady_clock::now();
-    const fs::path folder = fresh_test_folder();
-    const Scene every_kind = scene_of(true), few_kinds = scene_of(false);
-    glDrawArrays(GL_POINTS, 0, 0);  // epoxy looks functions up when they are first called
-    {
-        FrameRequest request{.width = 8, .height = 8};
-        Settings s;
-        set_setting(s, "view.slabs", "both");
-        renderer_->render(every_kind, s, request);
-        renderer_ = std::make_unique<Renderer>();
-        glDrawArraysInstanced(GL_POINTS, 0, 0, 0);
-        glGetTextureImage(0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
-        while (glGetError() != GL_NO_ERROR) {
-        }
-    }
-    Recorder recorder(folder);
-    recorder_ = &recorder;
-    renderer_->driver();  // the calibrations' shaders
-    const std::vector<Axis> all = axes();
-    for (const Axis& axis : all)
-        for (const Change& choice : axis.choices) draw(every_kind, {&choice});
-    // A kernel's stored values are shown by code of its own, which some third choice may leave out of the frame.
-    const Change moment = {"view.map_channel=moment-1"};
-    for (const Axis& axis : all)
-        if (axis.names.contains("FILTER_FILE"))
-            for (const Change* kernel : kinds_of(axis)) draw(every_kind, {kernel, &moment});
-    const int alone = frames_;
-    const ShaderFiles files;
-    draw_combined(few_kinds, all, files);
-    const int combined = frames_;
-    draw_techniques(few_kinds, all, files);
-    const double drawn_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    EXPECT_EQ(recorder.finish(), "");
+TEST_F(Permutations, EveryChoiceCompilesWithTheReferenceCompiler) {
+    ASSERT_NO_FATAL_FAILURE(record());
+    draw_each_choice(few_kinds_);
+    // Blobs belong to casters that are small beside the scene.
+    for (const Axis& axis : all_)
+        if (axis.names.contains("SOURCE_FILE"))
+            for (const Change& choice : axis.choices) draw(every_kind_, {&choice});
+    // Bounds of depths are found for kernels of many taps, once the map is known.
+    const Change wide = {"filter.kernel=vogel", "filter.taps=64"};
+    for (int frame = 0; frame < 2; ++frame) draw(few_kinds_, {&wide});
+    draw_alternating_techniques();
+    expect_valid(500);
     for (const auto& entry : fs::recursive_directory_iterator(SI_SOURCE_DIR "/shaders")) {
         if (!entry.is_regular_file() || entry.path().extension() != ".glsl") continue;
         std::istringstream in(file_bytes(entry.path()));
         std::string last;
         for (std::string line; std::getline(in, line);)
             if (line.size() > last.size() && !line.starts_with("#")) last = line;  // the longest line names the file
-        EXPECT_TRUE(recorder.has_line(last)) << entry.path() << " is in no program: " << last;
+        EXPECT_TRUE(recorder_->has_line(last)) << entry.path() << " is in no program: " << last;
     }
-    EXPECT_GT(recorder.texts(), 1000u);
-    std::printf(
-        "%zu texts from %d frames (choices %d, combined %d, techniques %d), drawn in %.0f s, checked in %.0f s\n",
-        recorder.texts(), frames_, alone, combined - alone, frames_ - combined, drawn_s,
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+SI_TEST_IS(Later, Permutations, EveryChoiceAndMaterialCompileWithTheReferenceCompiler);
+TEST_F(Permutations, EveryChoiceAndMaterialCompileWithTheReferenceCompiler) {
+    ASSERT_NO_FATAL_FAILURE(record());
+    draw_each_choice(every_kind_);
+    expect_valid(1000);
+}
+
+SI_TEST_IS(Later, Permutations, EveryTwoChoicesCompileWithTheReferenceCompiler);
+TEST_F(Permutations, EveryTwoChoicesCompileWithTheReferenceCompiler) {
+    ASSERT_NO_FATAL_FAILURE(record());
+    draw_combined();
+    draw_techniques();
+    expect_valid(1000);
 }
 
 // Faults are found and named.
