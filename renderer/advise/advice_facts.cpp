@@ -30,10 +30,9 @@ double shadowed_share(const Reference& reference) {
 }
 
 /// Collects the range of depths from all pixels, and the widths of texels and penumbrae from every seventh.
-void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
+void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& settings) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    const MeasuredBias bias(m, settings, driver);
     std::vector<double> texels, penumbrae;
     f.nearest_m = std::numeric_limits<double>::infinity();
     f.farthest_m = 0;
@@ -45,7 +44,7 @@ void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& set
         f.nearest_m = std::min(f.nearest_m, depth_m);
         f.farthest_m = std::max(f.farthest_m, depth_m);
         if (i % 7 || light.views.empty() || m.classified[i].has(ClassifiedPixel::kOutside)) continue;
-        const double texel_m = bias.breakdown(r).receiver.texel_m;
+        const double texel_m = receiver_in_light(m, settings, r).texel_m;
         texels.push_back(texel_m / pixel_m(m.camera, depth_m, m.picture.y));
         const double gap_m = reference.blocker_m.data.empty() ? kUnknown : double(reference.blocker_m.data[i]);
         if (std::isfinite(gap_m)) penumbrae.push_back(penumbra_m(light, r.position_ws, gap_m) / texel_m);
@@ -68,7 +67,7 @@ AdviceFacts advice_facts(const SearchTools& tools, const Settings& s) {
     f.light = m.light;
     f.map_resolution = m.map_resolution;
     f.map_size = m.map_size;
-    add_pixel_facts(f, m, s, renderer.driver());
+    add_pixel_facts(f, m, s);
     const FittedLight& light = m.lights[std::size_t(m.light)];
     f.starts = bias_starts(m, s, renderer.driver());
     f.shadowed.assign(f.lights.size(), kUnknown);

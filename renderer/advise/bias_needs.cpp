@@ -187,6 +187,11 @@ double pixel_m(const Camera& camera, double depth_m, int lines) {
     return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
 }
 
+LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& r) {
+    return light_receiver(measured.lights[std::size_t(measured.light)], settings.bias, measured.map_size, r.position_ws,
+                          r.normal_ws, r.normal_ws);
+}
+
 MeasuredBias::MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver)
     : measured_(measured),
       settings_(settings),

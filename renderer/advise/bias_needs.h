@@ -43,6 +43,10 @@ double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
 /// @param lines height of the picture in pixels
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
+/// Computes the surface point of one pixel of a measured frame as the measured light sees it. Costs a fraction of
+/// MeasuredBias::breakdown().
+LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& receiver);
+
 /// Bias of the pixels of a measured frame. Refers to all that it is made of.
 class MeasuredBias {
 public:

@@ -22,6 +22,7 @@ namespace {
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
     const MeasuredBias bias(m, settings, driver);
+    const double kappa = std::max(kernel_reach_in_light(settings, light, m.map_size).bias, 0.5);
     std::vector<double> wanted;
     for (std::size_t i = 0; i < m.classified.size(); ++i) {
         if (m.classified[i].artefact != Artefact::Undersampled) continue;
@@ -33,7 +34,6 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         const double gap_m = m.traced.reference->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
-            const double kappa = std::max(kernel_reach_in_light(settings, light, m.map_size).bias, 0.5);
             const double fixed = a.least.quantum + a.least.rounding,
                          falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
             const double room = a.curve.depth_change_towards_light(a.receiver.own_m, along) - fixed;

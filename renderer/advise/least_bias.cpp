@@ -167,17 +167,16 @@ std::size_t BiasTrial::lost() const {
            pixels(Artefact::PeterPanningRaster) + pixels(Artefact::OffsetShadow);
 }
 
-BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const RasterTraits& driver) {
+BiasScore::BiasScore(const MeasuredError& m, const Settings& settings) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    const MeasuredBias bias(m, settings, driver);
     const double reach_texels = edge_reach_texels(settings, light, m.map_size);
     const std::vector<float> distance_px = distance_to(shadow_edges(reference), reference.width, reference.height);
     near_edge_.resize(reference.state.size());
     for (std::size_t i = 0; i < near_edge_.size(); ++i) {
         if (reference.state[i] != PixelState::Counted || !std::isfinite(distance_px[i])) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const LightReceiver at = bias.breakdown(r).receiver;
+        const LightReceiver at = receiver_in_light(m, settings, r);
         // A texel covers 1 / n.l of its width on the surface, and no more of the picture.
         const double reach_m = reach_texels * at.texel_m / std::max(at.n_dot_l, 1e-3);
         near_edge_[i] = distance_px[i] <=
@@ -312,7 +311,7 @@ FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, st
         throw Error(why);
     tools.report(0, "the present bias");
     const MeasuredError first = *meter.measure(base, base.view.light).frame;
-    const BiasScore score(first, base, driver);
+    const BiasScore score(first, base);
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
         return BiasTrial{m.metrics, bias_needs(m, s, driver), score.compute_score(m)};
     };

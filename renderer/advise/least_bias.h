@@ -40,7 +40,7 @@ struct BiasTrial {
 class BiasScore {
 public:
     /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
-    BiasScore(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+    BiasScore(const MeasuredError& measured, const Settings& settings);
     /// Returns the error score of a frame that was drawn with another bias; less is better.
     /// @param measured frame, compared with the same reference as the frame given to the constructor
     double compute_score(const MeasuredError& measured) const;

@@ -59,7 +59,7 @@ protected:
             };
             const MeasuredError first = measure(base.bias);
             if (!has_lit_receivers(first)) continue;
-            const BiasScore score(first, base, renderer.driver());
+            const BiasScore score(first, base);
             const FoundBias found = find_least_bias({renderer, scene, kWidth, kHeight, cache}, base);
             const TriedBias* const best = found.best();
             if (!best) {
