@@ -29,8 +29,8 @@ struct FrameThread {
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// Drawer of the editor's frames on a thread of its own, so that a slow frame does not block the window. update()
-/// starts a frame, poll() fetches its data. All calls come from one thread with one OpenGL context.
+/// Draws the editor's frames on a thread of its own, so that a slow frame does not block the window. update() starts a
+/// frame, poll() fetches its data. Call both from the window's thread, with its OpenGL context.
 class FrameLoader {
 public:
     /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context

@@ -262,7 +262,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });
-    changed |= presets_.compare();
+    changed |= presets_.update_comparisons();
     changed |= presets_.update_pictures(requests.want_pictures);
     changed |= work_.update(scenes_.scene(), requests);
     changed |= conversion_.update(facts(), work_.conversion_progress(),

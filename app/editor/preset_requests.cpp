@@ -137,7 +137,7 @@ void PresetRequestHandler::load_comparison(const Scene& scene) {
     }
 }
 
-bool PresetRequestHandler::compare() {
+bool PresetRequestHandler::update_comparisons() {
     const Scene* scene = scenes_.scene();
     const Preset* known = known_file();
     const bool unsaved = scene && (known ? known->settings != state_.settings ||

@@ -30,10 +30,10 @@ public:
     void save(const std::string& path, const std::optional<std::string>& about, bool replace);
     /// Restores the session that a crash has left: loads its scene and settings. Does nothing if there is none.
     void restore_lost();
-    /// Updates the mark of unsaved settings: compares the present settings with those opened or saved last. While a
-    /// comparison is shown, also loads the settings that state.compare chooses. Call once a frame. Returns true if the
-    /// mark or the compared settings have changed.
-    bool compare();
+    /// Marks the present settings as unsaved if they differ from those opened or saved last. While a comparison is
+    /// shown, also loads the settings that state.compare chooses. Call once a frame. Returns true if the mark or the
+    /// compared settings have changed.
+    bool update_comparisons();
     /// Returns the settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }
     /// Writes the built-in presets, the compared settings and the mark of unsaved settings into `frame`, the data that

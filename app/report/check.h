@@ -82,7 +82,7 @@ struct CheckBaseline {
 nlohmann::ordered_json check_baseline_json(const std::string& scene, const CheckedPicture& picture,
                                            const ErrorMetrics& error, double noise);
 /// Parses a baseline file, which limits the shadow errors of a later run of `check`.
-/// @param file name of the file, for messages @param metric metric that CheckedNumbers::error has
+/// @param file name of the file, for messages @param metric metric of CheckedNumbers::error
 /// @throws Error "FILE: what is wrong; what to do"
 CheckBaseline parse_check_baseline(std::string_view text, const std::string& file, const Metric& metric);
 

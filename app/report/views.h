@@ -21,7 +21,8 @@ struct View {
 /// Lists all views of a frame that `render --view` can draw. An overlay (view.overlay) that has the key of another view
 /// is listed once.
 std::vector<View> views();
-/// Finds a view of a frame by the key that `render --view` takes. @throws UsageError naming the nearest key
+/// Finds a view (an image that a frame can show) by the key that `render --view` takes. @throws UsageError naming the
+/// nearest key
 View find_view(const std::string& key);
 
 /// Returns the rectangles of the panes into which the setting view.panes divides a picture. @param width, height size

@@ -23,11 +23,11 @@ struct EngineSession {
     bool gives_bias = false;          ///< a value of `values` is one of the bias
 };
 
-/// Moves the assignments "engine.PARAMETER=VALUE" out of those of --set and returns them with the profile of the
-/// engine.
-/// @param profile name of the engine profile; empty: none @param sets assignments of --set; loses those of the engine
-/// @throws UsageError for an unknown profile, parameter or value, for a setting that the profile fixes, and for
-/// engine.* without a profile
+/// Removes the assignments "engine.PARAMETER=VALUE" from the --set assignments, and returns them with the engine's
+/// profile.
+/// @param profile name of the engine profile; empty: none @param sets --set assignments; engine.* is removed
+/// @throws UsageError for an unknown profile, parameter or value, for an assignment of a setting whose value the
+/// profile dictates, and for engine.* without a profile
 EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets);
 
 /// Returns width, depth range and texels of the shadow map of the light that view.light selects. Conversions to an

@@ -28,8 +28,8 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 /// Collects the frame times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
-/// Collects the shadow times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
-/// @param turns timed frames of the case
+/// Collects the shadow times of one case of a sweep, only from the rounds by which cases are compared.
+/// @param turns timed frames of the case, by round @param rounds result of ranked_rounds()
 ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds);
 
 /// Result of one case (combination of settings) of a sweep, measured or failed: settings, numbers and notes.

@@ -21,7 +21,8 @@ struct TuneGoals {
     bool any() const { return max_error || max_ms; }
 };
 
-/// Result of tune(): the least bias and, with limits of error or time, the best kernel and map resolution.
+/// Result of tune(): the least bias and, if error or time was limited, the best kernel and map resolution within the
+/// limits.
 struct Tuned {
     FoundBias bias;
     std::optional<AutopilotResult> limits;  ///< kernels and resolutions that were tried; none: without limits

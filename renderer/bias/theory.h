@@ -70,9 +70,9 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize si
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// Returns the depth bias that covers float rounding of map coordinates on a plane, in depth-buffer units:
-/// 4 2^-23 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`, and `across` the width of the map at the point
-/// in metres, by its shortest texels. w'/w is the relative change of clip-space w per metre in a warped view. Needed
-/// where texels are compared with the plane's depth at their own centre.
+/// 2^-21 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`, and `across` the texels of the map's shorter side
+/// times the shortest side of a texel at the point, metres. w'/w is the relative change of clip-space w per metre in a
+/// warped view. Needed where texels are compared with the plane's depth at their own centre.
 /// @param gradient g, depth-buffer units per map width (ReceiverPlane)
 /// @param extent_m largest coordinate in the shaders, metres
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,

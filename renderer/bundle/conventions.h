@@ -110,8 +110,8 @@ struct ConventionFits {
 /// Finds the conventions by which an imported shadow map is written, where they are not stated. Reads the map by every
 /// possible combination, and compares some 4,000 texels a map with the casters of a scene. Without a scene, a
 /// combination does not fit if it puts texels outside the depth range, or the sky on the near plane. With a scene,
-/// other axes, hands and units of the light file are tried too: with few texels first, and with all texels where they
-/// may fit.
+/// other axes, handedness and units of the light file are tried too: first on few texels, then the plausible ones on
+/// all.
 /// @param light light whose maps all read one image; its stated conventions are those of `known`
 /// @param type_known false: BundleLight::type is not stated
 /// @param world matrix from the engine's world to metres, y up, right-handed

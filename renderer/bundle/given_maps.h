@@ -23,7 +23,7 @@ glm::dmat4 world_from_engine(const BundleWorld& world);
 /// @throws Error "the matrix: what; what to do" for matrices that view_of_matrix() refuses
 LightView view_of_map(const BundleWorld& world, const BundleMap& map);
 
-/// Depth-buffer values of one imported map, and the numbers of its invalid texels.
+/// Depth-buffer values of one imported map, and how many of its texels are invalid.
 struct MapDepths {
     FloatImage depths;              ///< top row first
     std::size_t not_a_number = 0;   ///< texels that are no number, read as the far plane

@@ -101,7 +101,7 @@ struct FrameState {
     /// a light.
     /// @param light index of the light
     bool has_contact_shadows(std::size_t light) const;
-    /// Returns true when a light may change the picture; shading leaves out other lights.
+    /// Returns true when a light may change the picture. If false, shading skips the light.
     /// @param light index of the light
     bool may_light_picture(std::size_t light) const;
     /// Returns true when shading treats a light as unshadowed and skips its shadow map look-up: see is_always_lit().
@@ -122,10 +122,10 @@ struct FrameState {
     std::vector<std::string> notes;
 
     /// One of the pictures that the split view shows side by side (view.panes). Panes with the same overlay share
-    /// images: their slot is the number of the first of them.
+    /// images.
     struct ShownPane {
-        int overlay = 0;  ///< as view.overlay
-        int slot = 0;
+        int overlay = 0;               ///< as view.overlay
+        int slot = 0;                  ///< index of the first pane with this overlay
         bool lacks_reference = false;  ///< `overlay` is 0 for lack of a reference
         /// Returns the table row of the pane's overlay; null without an overlay.
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
@@ -183,8 +183,7 @@ struct FrameState {
     /// @param from key to extend
     /// @param pass kind of pass
     Key with_settings(Key from, ReadBy pass) const { return with_settings(std::move(from), pass, settings); }
-    /// Returns a cache key like with_settings() above, with the values of other settings than the frame's.
-    /// @param values settings whose values the key takes
+    /// Returns a cache key like the overload above, but reads the values from `values` instead of the frame's settings.
     static Key with_settings(Key from, ReadBy pass, const Settings& values);
     /// Returns the cache key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const { return surfaces_key().add(lights_key); }

@@ -62,8 +62,8 @@ double time_ratio(const Spread& time, const Spread& base);
 
 /// Computes the statistics of measured shadow times. Leaves ShadowTime::of_base unknown.
 ShadowTime summarise_shadow(const ShadowSamples& samples);
-/// Returns true when more measurements of shadow time would add little, with a moving light. After at least kMinBursts
-/// bursts, half the confidence interval must be within 5 % of the shadow time or 2 % of the frame time.
+/// Returns true once the shadow's time under a moving light is measured precisely enough. After at least kMinBursts
+/// bursts of frames, half the confidence interval must be within 5 % of the shadow time or 2 % of the frame time.
 /// @param frame_ms median time of the frame with shadows
 bool shadow_settled(const ShadowSamples& samples, double frame_ms);
 

@@ -31,7 +31,7 @@ public:
     /// settings.
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
     /// Sets a callback that receives the invalid numbers (NaN, infinite, out of range) found in drawn frames. Every
-    /// frame with a picture is then searched as Outputs::health does, except timed frames.
+    /// frame that draws a picture is then searched as with Outputs::health, except timed frames.
     /// @param watch function to call, also for frames without invalid numbers; empty: stops the search
     void set_number_watcher(NumberWatcher watch);
 

@@ -679,8 +679,8 @@ constexpr HardCase kCases[] = {
     {39, "quantised", "Quantised positions",
      "Positions in 8 bits turn a gentle hill into terraces. A bias from the stored normals is too small for facets "
      "that the light meets at a flatter angle.",
-     "The bias follows the triangle's own plane and its neighbours (receiver plane and remainder). Positions in 14 "
-     "bits make the terraces 64 times lower.",
+     "Use a bias that follows the triangle's plane, with an allowance for adjacent triangles (receiver plane and "
+     "remainder). Positions in 14 bits make the terraces 64 times lower.",
      "share of pixels with acne", 2e-4, kPixels, "facets meet in inner corners within a pixel",
      "share of pixels with acne under a bias by stored normals, beyond that of the exact hill", 5e-4, hard_quantised,
      "map.resolution=1024 light.azimuth=30 light.elevation=20 light.fit=scene filter.kernel=hard bias.normal=0",
@@ -750,8 +750,8 @@ constexpr HardCase kCases[] = {
     {47, "engine-angle", "An engine's number in grazing light",
      "An engine's constant bias was chosen for ground at 45 degrees to the light. Where the light grazes the ground, "
      "this bias leaves stripes of acne.",
-     "The bias is converted for the angle of the ground. A polygon offset by slope helps too, since it grows with the "
-     "angle.",
+     "Convert the engine's bias for the angle of this ground. A polygon offset by slope helps too, since it grows with "
+     "the angle.",
      "lit pixels of a plane at 89 degrees darker than lit, under each engine's converted number", 0, kPixels, kExact,
      "the same under the number for 45 degrees", 0.3, hard_floor_and_box,
      "map.resolution=512 map.format=d24 light.elevation=6 light.fit=scene filter.kernel=hard bias.kind=constant "
@@ -760,7 +760,7 @@ constexpr HardCase kCases[] = {
     {48, "engine-depth-range", "An engine's number after the map was fitted again",
      "Some engines give the bias as a share of the map's depth range. After a fit to a tenth of that range, the same "
      "number is a tenth of the bias.",
-     "The number is converted again for the present depth range, or the bias is given in texels.",
+     "Convert the number again for the present depth range, or give the bias in texels.",
      "lit pixels of a plane darker than lit, under each engine's number for the present range", 0, kPixels, kExact,
      "the same under the number for ten times the range", 0.2, hard_floor_and_box,
      "map.resolution=512 map.format=d24 light.azimuth=30 light.elevation=40 filter.kernel=hard bias.kind=constant "
@@ -769,7 +769,7 @@ constexpr HardCase kCases[] = {
     {49, "engine-cascades", "Cascades that share one map",
      "Some engines give each of several cascades half of the map's stated width. A bias in metres for texels of the "
      "whole map is half of what these cascades need.",
-     "The number is converted for the texel size of each cascade.",
+     "Convert the bias with the texel size of each cascade.",
      "lit pixels of a plane darker than lit, under each engine's number for half of the map", 0, kPixels, kExact,
      "the same under the number for the whole map", 0.05, hard_field,
      "map.resolution=512 light.azimuth=30 light.elevation=40 light.cascades=2 light.fit=view filter.kernel=hard "

@@ -42,10 +42,11 @@ struct StartingValue {
 /// Row of the bias table: one technique against self-shadowing. The GLSL functions of its file depend on its stage:
 ///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
 ///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
-///            With `remainder` also float remainder_per_texel(BiasInput b).
+///            With `remainder` also float remainder_per_texel(BiasInput b): further shift towards the light for each
+///            texel between the compared texel and the look-up's point, depth-buffer units.
 ///   LookUp   vec3 normal_offset(vec3 normal, vec3 to_light, float texel_m): shift of the look-up's point, metres.
-///   Raster   float raster_offset(vec2 per_texel, float quantum): offset of stored depths away from the light,
-///            depth-buffer units.
+///   Raster   float raster_offset(vec2 per_texel, float quantum): offset of stored depths away from the light, from
+///            their change per texel and the format's depth step, depth-buffer units.
 struct Bias {
     std::string_view key, label, help;
     std::string_view paper;  ///< source

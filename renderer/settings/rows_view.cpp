@@ -207,8 +207,8 @@ constexpr auto kReference = std::to_array<Param>({
      .also = "soft shadows, area light, ray-traced shadows"},
     {SI_FIELD(truth.samples), .label = "Maximum rays", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
      .help = "Maximum number of rays from a pixel to an area light. Every pixel gets 8 rays, pixels around penumbrae "
-             "get 64, and noise may require more. Rays beyond 256 go only to parts of the light along a shadow's "
-             "edge, unless shadows are narrower than these parts."},
+             "get 64, and noise may require more. Rays beyond 256 go only to those cells of a grid on the light that "
+             "an occluder's edge crosses, unless occluders are narrower than a cell."},
     {SI_FIELD(truth.noise), .label = "Noise", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Target standard error of a pixel's reference visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,

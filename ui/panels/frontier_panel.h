@@ -105,8 +105,8 @@ struct SweepPanel {
     std::string folder = "sweep";                  ///< folder that results are saved to and opened from
 };
 
-/// Request to run a sweep, which measures many combinations of settings: varied settings, picture size and kind of
-/// timed frames.
+/// Request to run a sweep, which measures many combinations of settings. Holds the varied settings, picture size and
+/// kind of timed frames.
 struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;

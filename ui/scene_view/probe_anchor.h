@@ -30,8 +30,8 @@ enum class AnchorPlace {
 /// the point is outside the picture. @param width, height size of the picture, pixels
 std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera& camera, int width, int height);
 
-/// Returns true if the probe has hit a surface that is nearer to the camera than the point that the probe follows, and
-/// hides this point.
+/// Returns true if the surface in the probed pixel is nearer to the camera than the surface point that the probe
+/// follows (`anchor`), and hides this point.
 bool hides(const Probe& probe, const ProbeAnchor& anchor);
 
 /// Ray of a probed pixel's shadow test, from the light to the surface.

@@ -45,8 +45,8 @@
 
 namespace si {
 
-/// Picture comparison as it was before a held key showed the pinned settings (A) alone. It is restored when the key is
-/// released.
+/// Picture comparison as it was before a held key showed the picture of the pinned settings alone. It is restored when
+/// the key is released.
 struct Flicker {
     PictureComparison picture_comparison;
     CompareWith compare;

@@ -26,7 +26,7 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
 /// Returns the margin in texels that a fit adds around the region that a shadow map has to cover: kernel reach, normal
 /// offset and two texels more. The margin grows in steps of 1/64 of the map. Most kernels and resolutions therefore
-/// share a region, and one traced reference serves all of them. The normal offset counts as 3 to 32 texels.
+/// share a region, and one traced reference serves all of them. The normal offset is clamped to 3 to 32 texels.
 /// @param resolution texels a side of the map
 double fit_margin_texels(const Settings& settings, int resolution);
 

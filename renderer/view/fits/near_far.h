@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Sets near and far planes of a light view with parallel rays whose width is set already, by light.near_far.
-/// @param found depth range along the axis that the fit found, metres
+/// Sets near and far planes of an orthographic light view by light.near_far. The view's width is set before.
+/// @param found depth range that the fit found along the view's axis, metres
 /// @param receivers depth range of the receivers; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 
