@@ -25,7 +25,8 @@ public:
         std::string problem;         ///< why there is no dialog
     };
 
-    /// Makes a client without a dialog. @param wake called from another thread when take_answer() has an answer
+    /// Makes a client of the desktop's file portal. Opens no dialog yet.
+    /// @param wake called from another thread when take_answer() has an answer
     explicit FilePortal(std::function<void()> wake);
     /// Closes the dialog.
     ~FilePortal();

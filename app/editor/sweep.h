@@ -103,7 +103,7 @@ private:
     /// Returns the measurement that the present settings are compared with: of the pinned settings, else of other
     /// settings measured last. Earlier::is is null if there is none.
     Earlier earlier(const EditorState& state) const;
-    /// Finds differences between the present settings and the shown sweep, of which the panel Frontier warns. Writes
+    /// Finds differences between the present settings and the shown sweep. The panel Frontier warns of them. Writes
     /// facts_.other_settings (settings that differ and that the sweep does not vary) and facts_.other_scene.
     void compare_settings(const EditorState& state);
     /// Removes folders that this run made for results of sweeps, if no case was measured in them. A folder that cannot

@@ -120,8 +120,8 @@ ConventionFits fit_conventions(const BundleLight& light, bool type_known, const 
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);
 
 /// Converts a light that is written by other conventions to those of frame.json: order and axes of its matrices,
-/// direction and position. Sets first row, depth range and stored kind of its maps; their texels stay. Used to try a
-/// reading of an imported map.
+/// direction and position. Sets order of rows, depth range and kind of depth of its maps; their texels stay. Used to
+/// try a reading of an imported map.
 /// @param convention conventions by which the light is written
 BundleLight with_convention(const BundleLight& light, const Convention& convention);
 

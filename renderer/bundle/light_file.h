@@ -15,9 +15,9 @@ struct LightFile {
     KnownConvention known;    ///< the product and the order of matrices are never stated
 };
 
-/// Parses a light file, which describes the light of an imported map image: an object as in `lights` of frame.json, and
-/// `world` beside its members. A light with one map may hold the members of the map itself. A matrix alone is enough:
-/// members that frame.json requires may be missing here.
+/// Parses a light file, which describes the light of an imported map image: an object as in `lights` of frame.json,
+/// with `world` as a further member. The members of a single map may stand in the light's object. The light's matrix
+/// alone is enough: members that frame.json requires may be missing here.
 /// @param file name of the file, for messages
 /// @param image_file name that the image gets in the bundle
 /// @throws Error "FILE: PLACE: what is wrong; what to do"

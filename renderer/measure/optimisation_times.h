@@ -18,7 +18,7 @@
 namespace si {
 
 /// Time that one optimisation saves: a frame without the optimisation minus a frame with it. Noise may make the
-/// difference negative. A confidence interval around 0 shows no effect.
+/// difference negative. If the confidence interval contains 0, no effect is shown.
 struct SavedTime {
     Optimisation optimisation;
     Spread ms;  ///< milliseconds

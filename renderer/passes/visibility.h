@@ -31,8 +31,8 @@ private:
     /// Draws the visibility of all lights, one image layer each. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
-    /// Returns the shader file that evaluates a light's visibility by its source (light.source). Empty when the layer
-    /// is not drawn: it is fully lit, or traced visibility is uploaded into it.
+    /// Returns the shader file for the method (light.source) by which a light's visibility is found. Empty when the
+    /// light's image layer is not drawn: it is fully lit, or traced visibility is uploaded into it.
     /// @param light light index
     std::string_view source_file(const FrameState& f, std::size_t light) const;
 

@@ -53,7 +53,8 @@ double sin_angle(const MapFacts& facts);
 /// Returns the cosine of the reference angle between surface normal and light (MapFacts::angle_deg).
 double cos_angle(const MapFacts& facts);
 
-/// Returns the depth bias in texels that acts like a polygon offset at the reference angle (equivalent depth bias).
+/// Returns the depth bias in texels that equals a polygon offset on a surface at the reference angle to the light
+/// (MapFacts::angle_deg).
 /// @param slope factor of the polygon offset
 /// @param units units of the polygon offset
 double raster_equivalent(double slope, double units, const MapFacts& facts);

@@ -6,9 +6,10 @@
 
 namespace si {
 
-/// Measures the driver's polygon offset units (r) and slope factor (m) for shadow maps of one format. Draws planes with
-/// and without polygon offset into a small map and reads them back: flat planes for r, tilted ones for m. Returns the
-/// smallest result, less one step of the format. Needs a current context; restores the OpenGL state.
+/// Measures how the driver computes r (least depth difference) and m (depth slope) of glPolygonOffset for shadow maps
+/// of one format. Draws planes with and without polygon offset into a small map and reads them back: planes parallel
+/// to the map for r, tilted ones for m. Returns the smallest r and m of all planes, each less one step of the format.
+/// Needs a current context; restores the OpenGL state.
 PolygonOffset measure_polygon_offset(MapFormat format);
 
 }  // namespace si

@@ -381,8 +381,8 @@ constexpr HardCase kCases[] = {
      "bias.normal=3"},
     {3, "depth-steps", "Steps of depth",
      "Perspective depth has its finest steps near the light. With 16 bits from 3 cm to 32 m, one step is 20 cm high "
-     "on the floor.",
-     "The step of the depth format is part of the least bias. With 32-bit floats and reversed depth, steps are "
+     "20 m from the light.",
+     "Add the step of the depth format to the bias, or use 32-bit floats and reversed depth, whose steps are "
      "micrometres high.",
      "lit pixels of a plane darker than lit, at the predicted least bias, far/near 10 to 100,000", 0, kPixels, kExact,
      "share of the plane that shadows itself without bias, where steps are small", 0.3, hard_spot_floor,

@@ -117,8 +117,8 @@ struct Filter {
 /// read it.
 bool owns_setting(const Filter& row, std::string_view key);
 
-/// Returns the number of taps along one side of a square kernel: the size of its row, or filter.size. Shaders have it
-/// as the define KERNEL_SIZE.
+/// Returns the number of taps along one side of a square kernel: the fixed size in the filter's table row, else
+/// filter.size. Shaders have it as the define KERNEL_SIZE.
 int taps_across(const Filter& row, const Settings& settings);
 /// Returns true when each tap of the kernel blends 2x2 texels.
 bool is_bilinear(const Filter& row, const Settings& settings);

@@ -235,7 +235,8 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
      .idle = levels_idle,
      .help = "Number of maps around the camera for a directional light. The coarsest map covers the view frustum, and "
-             "each finer map has texels half as wide. With 1 there is only the map of light.fit, drawn by pages."},
+             "each finer map has texels half as wide. With 1 there is only the map fitted by light.fit, drawn page by "
+             "page."},
     {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4, .idle = level_bias_idle,
      .help = "Level offset. With 0 a texel covers half a pixel to a pixel. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},

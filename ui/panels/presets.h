@@ -25,7 +25,7 @@ struct GalleryPanel {
     std::string topic;   ///< heading of the listed presets; empty: all
 };
 
-/// Unsaved session that a crash has left, as the question whether to restore it describes it.
+/// Facts about an unsaved session that a crash has left, for the question whether to restore it.
 struct LostFacts {
     std::string scene;
     std::string when;  ///< age in words: "3 minutes ago"

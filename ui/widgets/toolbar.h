@@ -32,7 +32,7 @@ private:
         std::function<void(float)> draw;
     };
     /// Moves the cursor behind the last widget of the toolbar. Returns true if a widget of `width` pixels fits there.
-    /// Returns false once a widget waits for the menu.
+    /// Returns false after any widget was left to the menu.
     bool fits(float width);
 
     const char* id_;

@@ -46,7 +46,7 @@ struct VolumeMesh {
     explicit VolumeMesh(const Mesh& mesh);
 };
 
-/// Light that casts a shadow volume: a direction for parallel light, else a position.
+/// Light away from which shadow volumes extend: a direction for parallel light, else a position.
 struct VolumeLight {
     bool parallel = true;
     glm::dvec3 to_light{0, 1, 0};  ///< unit vector, for parallel light
