@@ -74,9 +74,10 @@ struct BiasBreakdown {
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
     double moved_aside_m = 0;  ///< way of shadows over the surface by a sideways offset, beside contact_gap()
-    /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning). It is
-    /// the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For a
-    /// normal offset h this is h tan(theta). A sideways offset of h moves shadows by h tan(theta) as well.
+    /// Returns the largest width in metres of the lit strip next to a caster that touches the receiver (peter-panning).
+    /// It is the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For
+    /// a normal offset h this is h tan(theta): a strip behind a caster that leans along the rays, and a shift of the
+    /// shadow's edges elsewhere. A sideways offset of h moves shadows by h tan(theta) as well.
     double contact_gap_m() const;
     /// Returns the distance in metres by which the normal offset moves shadow edges along the surface: the part of the
     /// offset across the light's ray, divided by cos(theta), with theta between the surface normal and the light.

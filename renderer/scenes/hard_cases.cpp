@@ -670,8 +670,8 @@ constexpr HardCase kCases[] = {
     {38, "light-bleeding", "Light through a cover",
      "Mean and variance give an upper bound of the lit share. Where a blur spans casters at two depths, the floor "
      "below both is lit.",
-     "Warped depths (EVSM) give far casters hardly any weight. Four moments, less blur or light-bleed reduction also "
-     "help.",
+     "Warped depths (EVSM) give casters near the light hardly any weight. Four moments, less blur or light-bleed "
+     "reduction also help.",
      "share of pixels wrong by light bleeding", 1e-3, kPixels,
      "warped by e^(40 x), the bars are nothing beside the cover; a few pixels lie at the cover's own sides",
      "the same under depths that are not warped", 0.1, hard_bars_over_cover,

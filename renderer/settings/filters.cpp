@@ -153,7 +153,7 @@ constexpr Filter kFilters[] = {
      .label = "Tent",
      .help = "Weights that fall linearly from the middle to 0, filter.size texels across, by (size / 2 + 1)^2 bilinear "
              "comparisons. Each is placed so that its 2x2 texels get these weights exactly. Smoother than PCF of that "
-             "size at a quarter of its comparisons.",
+             "size at about a third of its comparisons.",
      .paper = "Castano: Shadow Mapping Summary, on the shadows of The Witness, 2013",
      .file = "filters/tent.glsl",
      .size = 0,
@@ -221,9 +221,8 @@ constexpr Filter kFilters[] = {
      .label = "DPCF",
      .help = "Contact-hardening shadows without a search: the same taps give the shadowed share of the widest penumbra "
              "and the distance of the caster. The contrast of that share is raised until the edge has its right width. "
-             "This is exact for one straight edge and wrong where two casters overlap.",
-     .paper = "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows "
-              "Made Fast, 2010",
+             "Of one straight edge, place and slope in the middle are right. Where two casters overlap, it is wrong.",
+     .paper = "Myers: Shadow of Cold War, A Scalable Approach to Shadowing, as cited by Filament for its DPCF",
      .file = "filters/dpcf.glsl",
      .linear = false,
      .searches_blockers = true,
@@ -257,8 +256,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.rays", .slope = -0.65}},
     {.key = "vsm",
      .label = "VSM",
-     .help = "Variance shadow map: mean and variance of depth are blurred beforehand, and one look-up bounds the share "
-             "of depths before the surface. Light bleeds where shadows overlap.",
+     .help = "Variance shadow map: depth and its square are blurred beforehand. Their means give mean and variance, by "
+             "which one look-up bounds the share of depths before the surface. Light bleeds where shadows overlap.",
      .paper = "Donnelly, Lauritzen: Variance Shadow Maps, I3D 2006",
      .file = "filters/vsm.glsl",
      .linear = false,
@@ -288,8 +287,8 @@ constexpr Filter kFilters[] = {
      .tolerance = kVarianceTolerance},
     {.key = "esm",
      .label = "ESM",
-     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the lit share if lit depths lie "
-             "far behind all casters. Light leaks near contacts, more so with a lower c.",
+     .help = "Exponential shadow map: one number a texel, the mean of e^(c x) with depth x from -1 to 1, gives the lit "
+             "share if lit depths lie far behind all casters. Light leaks near contacts, more so with a lower c.",
      .paper = "Annen, Mertens, Seidel, Flerackers, Kautz: Exponential Shadow Maps, Graphics Interface 2008",
      .file = "filters/esm.glsl",
      .linear = false,
@@ -301,11 +300,11 @@ constexpr Filter kFilters[] = {
      .settings = kEsmSettings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "a caster this near leaks e^(c (z - own))"}},
+     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "a caster this near leaks e^(c (x - own))"}},
     {.key = "evsm2",
      .label = "EVSM2",
-     .help = "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), in which far casters hardly "
-             "count. Little light bleeds.",
+     .help = "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), in which casters near the light "
+             "hardly count. Little light bleeds.",
      .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
      .file = "filters/evsm2.glsl",
      .linear = false,

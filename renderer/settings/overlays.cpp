@@ -173,8 +173,9 @@ constexpr Overlay kOverlays[] = {
     {.key = "contact-gap",
      .label = "Gap at contact",
      .unit = "m",
-     .help = "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches "
-             "it: their equivalent depth bias along the light's ray, times the sine of the angle from the normal.",
+     .help = "Largest width of the lit strip that bias and normal offset leave on this surface beside a caster that "
+             "touches it: their equivalent depth bias along the light's ray, times the sine of the angle from the "
+             "normal. Beside an upright caster a normal offset leaves no strip, but shortens the shadow by as much.",
      .group = OverlayGroup::Depth,
      .min = 0,
      .max = 0.2},

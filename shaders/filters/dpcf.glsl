@@ -1,6 +1,7 @@
 // Percentage-closer filtering whose taps also give the caster's distance. Over the widest penumbra the shadowed share of
-// a straight edge rises linearly, so a higher contrast around one half gives any narrower penumbra.
-// Guy, Agopian, Physically Based Rendering in Filament (DPCF), after Gruen, Contact Hardening Shadows Made Fast, 2010.
+// a straight edge rises steadily, so a higher contrast around one half gives a narrower penumbra. Taps fill a disk: the rise
+// is not linear, so only the slope in the middle is exact.
+// After DPCF in Filament, which cites Myers, Shadow of Cold War, A Scalable Approach to Shadowing.
 #include "lib/blockers.glsl"
 
 float filter_visibility(Receiver r) {

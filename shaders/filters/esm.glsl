@@ -1,5 +1,5 @@
-// Exponential shadow maps: the lit share is the mean of e^(c (z - own)), which separates a step from a slope if c is
-// large. Annen, Mertens, Seidel, Flerackers, Kautz, Exponential Shadow Maps, Graphics Interface 2008.
+// Exponential shadow maps: the lit share is the mean of e^(c (x - own)) with depths x from -1 to 1, which separates a step
+// from a slope if c is large. Annen, Mertens, Seidel, Flerackers, Kautz, Exponential Shadow Maps, Graphics Interface 2008.
 #include "lib/exponential.glsl"
 
 vec4 moments_of(float share) { return vec4(exp(filter_exponent * warp_depth(share)), 0.0, 0.0, 0.0); }

@@ -1,5 +1,5 @@
-// Exponential variance shadow maps with one warp: Chebyshev's bound of e^(c x). Far casters hardly count in it, so little
-// light bleeds. Lauritzen, McCool, Layered Variance Shadow Maps, Graphics Interface 2008.
+// Exponential variance shadow maps with one warp: Chebyshev's bound of e^(c x). Casters near the light hardly count in it,
+// so little light bleeds. Lauritzen, McCool, Layered Variance Shadow Maps, Graphics Interface 2008.
 #include "lib/exponential.glsl"
 
 vec4 moments_of(float share) {

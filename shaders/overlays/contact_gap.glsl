@@ -1,5 +1,6 @@
-// Width in metres of the lit strip on this surface beside a caster that touches it: equivalent depth bias along the light
-// ray, times the sine of the angle between ray and normal. An offset across the ray also moves shadows over the surface.
+// Largest width in metres of the lit strip on this surface beside a caster that touches it: equivalent depth bias along
+// the light ray, times the sine of the angle between ray and normal. A normal offset leaves such a strip only behind a
+// caster that leans along the rays. An offset across the ray also moves shadows over the surface.
 #include "lib/least_bias.glsl"
 #include "lib/bias_along_ray.glsl"
 
