@@ -304,8 +304,8 @@ TEST(Check, ASignalLeavesNothing) {
     ::chmod((folder / "python").c_str(), 0755);
     const ProcessResult r = run_shell(
         "export TMPDIR=\"$PWD/temporary\" SI_CAPTURE_PYTHON=\"$PWD/python\"\n"
-        "\"$SI\" check a.rdc --max-acne 0 --junit a.xml & "
-        "for i in $(seq 100); do [ -s helper ] && break; sleep 0.1; done; kill -TERM $!; wait $!; echo code $?; ls",
+        "\"$SI\" check a.rdc --max-acne 0 --junit a.xml & " +
+            signal_once("[ -s helper ]", "TERM") + "ls",
         folder);
     EXPECT_NE(r.out.find("code 143"), std::string::npos) << r.out << r.err;
     EXPECT_EQ(r.out.find("a.xml"), std::string::npos) << r.out;

@@ -373,10 +373,10 @@ TEST(ImportCaptureErrors, ASignalEndsTheWholeGroup) {
     std::ofstream(folder / "a.rdc") << "RDOC and nothing else";
     write_script(folder / "python", "sleep 987 & echo $! > sleeper; echo $$ > helper; wait");
     const ProcessResult r = run_shell(
-        "SI_CAPTURE_PYTHON=\"$PWD/python\" \"$SI\" import-capture a.rdc -o a.bundle & "
-        "for i in $(seq 100); do [ -s helper ] && break; sleep 0.1; done; kill -TERM $!; wait $!; echo code $?; "
-        "sleep 0.2; for p in $(cat sleeper helper); do grep -q '^State:.[^Z]' /proc/$p/status 2>/dev/null && echo "
-        "alive $p; done; ls",
+        "SI_CAPTURE_PYTHON=\"$PWD/python\" \"$SI\" import-capture a.rdc -o a.bundle & " +
+            signal_once("[ -s helper ]", "TERM") +
+            "sleep 0.2; for p in $(cat sleeper helper); do grep -q '^State:.[^Z]' /proc/$p/status 2>/dev/null && echo "
+            "alive $p; done; ls",
         folder);
     EXPECT_NE(r.out.find("code 143"), std::string::npos) << r.out << r.err;
     EXPECT_EQ(r.out.find("alive"), std::string::npos) << r.out;

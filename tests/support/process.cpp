@@ -1,6 +1,7 @@
 #include "tests/support/process.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +25,11 @@ void redirect(const fs::path& file, int descriptor) {
 }
 
 }  // namespace
+
+std::string signal_once(std::string_view condition, std::string_view signal) {
+    return fmt::format("for i in $(seq 300); do {} && break; sleep 0.1; done; kill -{} $!; wait $!; echo code $?\n",
+                       condition, signal);
+}
 
 fs::path fresh_test_folder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();

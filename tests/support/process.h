@@ -58,6 +58,11 @@ ProcessResult expect_error(const Words& arguments, int code, std::string_view te
 ProcessResult run_shell(const std::string& script,
                         const std::filesystem::path& folder = std::filesystem::current_path());
 
+/// Returns a part of a script of /bin/sh for run_shell(): waits at most 30 s for a condition, sends one signal to the
+/// last process in the background, waits for its end and prints "code N".
+/// @param condition shell command that succeeds when the signal may be sent @param signal name such as INT
+std::string signal_once(std::string_view condition, std::string_view signal);
+
 /// Creates an empty folder for the running test, below the build folder. Returns its path.
 std::filesystem::path fresh_test_folder();
 
