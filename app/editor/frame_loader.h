@@ -30,7 +30,7 @@ struct FrameThread {
 };
 
 /// Draws the editor's frames on a thread of its own, so that a slow frame does not block the window. update() starts a
-/// frame, poll() fetches its data. Call both from the window's thread, with its OpenGL context.
+/// frame, poll() fetches its data. Make all calls from one thread with one OpenGL context.
 class FrameLoader {
 public:
     /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context

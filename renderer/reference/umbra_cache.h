@@ -14,7 +14,7 @@ public:
     /// Pixel of the umbra's image.
     enum class State : std::uint8_t { Unknown, Outside, Inside };
     /// Returns which pixels are known to lie inside or outside the umbra; Unknown where no ray was traced yet.
-    /// @param key hash of the kernel's reach and the map, within which the umbra is looked for
+    /// @param key hash of the kernel's reach and of the map
     /// @param pixels number of pixels of the reference
     std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
     /// Keeps which pixels lie inside or outside the umbra, for find(). @param key as for find()

@@ -126,7 +126,7 @@ bool is_bilinear(const Filter& row, const Settings& settings);
 std::string kernel_label(const Settings& settings);
 /// Returns the number of points on a disk that a kernel such as Poisson or PCSS samples, for cost estimates.
 /// disk_points() returns the points themselves.
-/// @param places the requested number of points; fixed tables of points hold at most so many as they list
+/// @param places the requested number of points; a kernel with a table of points has no more than the table
 int disk_point_count(const Filter& row, const Settings& settings, int places);
 /// Returns the points of the unit disk that a kernel samples, from the Poisson table or along the spiral of golden
 /// angles.
