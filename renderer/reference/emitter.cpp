@@ -127,7 +127,15 @@ LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, s
 }
 
 LightRay LightSamples::ray(std::uint32_t k) const {
-    const glm::dvec2 disk(k < kKept ? points_[k].disk : make_point(scrambling_, k).disk);
+    return ray_to(glm::dvec2(k < kKept ? points_[k].disk : make_point(scrambling_, k).disk));
+}
+
+LightRay LightSamples::outline_ray(std::uint32_t k, std::uint32_t count) const {
+    const double angle = 2 * kPi * (double(k) + 0.5) / double(count);
+    return ray_to({std::cos(angle), std::sin(angle)});
+}
+
+LightRay LightSamples::ray_to(const glm::dvec2& disk) const {
     if (emitter_.type == LightType::Spot) {
         const glm::dvec3 towards = emitter_.position_ws + radius_ * (disk.x * axes_[0] + disk.y * axes_[1]) - point_;
         const double length_m = glm::length(towards);

@@ -72,6 +72,9 @@ public:
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
     /// Returns the ray from the surface point to sample point `k` on the light.
     LightRay ray(std::uint32_t k) const;
+    /// Returns the ray from the surface point to one of `count` evenly spaced points on the light's outline.
+    /// @param k number of the point, less than `count`
+    LightRay outline_ray(std::uint32_t k, std::uint32_t count) const;
     /// Returns the cell of the grid on the light that holds sample point `k`.
     LightCell cell(std::uint32_t k) const;
     /// Lists the sample point in each cell of a grid of 2^digits cells on the light. Each cell holds exactly one of the
@@ -80,6 +83,9 @@ public:
     void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:
+    /// Returns the ray from the surface point to a place on the light's unit disk.
+    LightRay ray_to(const glm::dvec2& disk) const;
+
     const Emitter& emitter_;
     glm::dvec3 point_;
     glm::dmat3 axes_;           ///< across, across, towards the light

@@ -22,6 +22,7 @@ constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kPenumbraSamples = 64;         ///< samples of pixels in penumbrae, and of those at edges of shadows
+constexpr std::uint32_t kOutlineRays = 16;   ///< rays to the light's outline that may replace kPenumbraSamples
 constexpr int kFarSamples = 16;              ///< samples of pixels two pixels from a penumbra or an edge
 constexpr int kPlainSamples = 256;           ///< samples spread over the whole light; more only along edges of shadows
 constexpr int kBesideSamples =
@@ -178,6 +179,7 @@ private:
         std::uint16_t lit = 0, above = 0;  ///< first samples, a bit each: lit, and above the horizon
         std::uint32_t used = 0;            ///< samples taken
         Wanted wanted = Wanted::None;
+        bool outline_agrees = false;  ///< rays to the light's outline agree with the samples
     };
     BigArray<PixelWork> work_;     ///< by pixel
     BigArray<Penumbra> penumbra_;  ///< by pixel
@@ -357,15 +359,24 @@ private:
     /// @param points numbers of the sample points @param seen receives their states @throws Cancelled
     std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
                               std::span<Seen> seen, RayBatch& batch, const std::stop_token& stop) const {
+        return trace_rays(
+            i, [&](std::uint32_t k) { return samples.ray(points[k]); }, seen, batch, stop);
+    }
+
+    /// Traces rays from a pixel to its light. Returns their number.
+    /// @param ray_of returns the ray of an index in `seen` @param seen receives the rays' results @throws Cancelled
+    template <typename RayOf>
+    std::size_t trace_rays(std::size_t i, RayOf&& ray_of, std::span<Seen> seen, RayBatch& batch,
+                           const std::stop_token& stop) const {
         if (stop.stop_requested()) throw Cancelled();  // 2^20 samples in each pixel of a tile take minutes
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
         std::ranges::fill(seen, Seen::Below);
         batch.clear();
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const LightRay ray = samples.ray(points[k]);
+        for (std::uint32_t k = 0; k < seen.size(); ++k) {
+            const LightRay ray = ray_of(k);
             const double cosine = glm::dot(r.normal_ws, ray.direction);
-            if (cosine > 0) batch.add(std::uint32_t(k), r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
+            if (cosine > 0) batch.add(k, r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
         }
         batch.trace(scene_, culls_,
                     [&](std::uint32_t k, bool occluded) { seen[k] = occluded ? Seen::Dark : Seen::Lit; });
@@ -431,10 +442,16 @@ private:
     std::size_t take_more_samples(std::size_t i, SampleBuffers& b, const std::stop_token& stop) {
         const LightSamples samples = light_samples(i);
         restore_states(i, samples, b.seen);
-        const Wanted wanted = work_[i].wanted;
+        Wanted wanted = work_[i].wanted;
         const std::size_t known = b.seen.size();
         const auto end = std::size_t(std::min(wanted == Wanted::Far ? kFarSamples : kPenumbraSamples, most()));
         std::size_t rays = 0;
+        if (wanted == Wanted::Near && end == kPenumbraSamples) {
+            rays += compare_outline(i, samples, b, stop);
+            if (work_[i].outline_agrees) return rays;
+            // A part of the outline differs from the samples: the light's visible share is near 0 or 1.
+            if (rays > 0) wanted = Wanted::Beside;
+        }
         if (known < end) {
             b.seen.resize(end);
             rays += trace_samples(i, samples, std::span(kFirstPoints).subspan(known, end - known),
@@ -453,6 +470,22 @@ private:
             rays += trace_samples(i, samples, points, b.seen, b.batch, stop);
             b.light.set_wanted(b.seen);
         }
+    }
+
+    /// Traces rays to the light's outline from a pixel whose samples agree, and sets PixelWork::outline_agrees. A
+    /// shadow of a wide caster crosses the outline first, where few rays find a smaller part of it than samples do.
+    /// @param b SampleBuffers::seen has the states of the pixel's samples
+    /// @returns the number of rays
+    std::size_t compare_outline(std::size_t i, const LightSamples& samples, SampleBuffers& b,
+                                const std::stop_token& stop) {
+        const Seen state = b.seen.front();
+        const auto agrees = [state](Seen seen) { return seen == state; };
+        if (state == Seen::Below || !std::ranges::all_of(b.seen, agrees)) return 0;
+        std::array<Seen, kOutlineRays> outline;
+        const auto ray_of = [&](std::uint32_t k) { return samples.outline_ray(k, kOutlineRays); };
+        const std::size_t rays = trace_rays(i, ray_of, outline, b.batch, stop);
+        work_[i].outline_agrees = std::ranges::all_of(outline, agrees);
+        return rays;
     }
 
     /// Returns the number of samples that must agree before a pixel counts as lit or dark.
@@ -521,7 +554,9 @@ private:
                                                                     : Wanted::Near);
             }
         const int used = int(work_[i].used);
-        const bool enough = penumbra_[i] == Penumbra::Partial ? used > first_ : used >= samples_for(out);
+        const bool enough = penumbra_[i] == Penumbra::Partial
+                                ? used > first_
+                                : used >= samples_for(out) || (out == Wanted::Near && work_[i].outline_agrees);
         return enough ? Wanted::None : out;
     }
 

@@ -274,6 +274,63 @@ TEST(AreaLight, SamplesOfAnyRunAreOneInEachCellOfEachGrid) {
     }
 }
 
+TEST(AreaLight, OutlineRaysTouchTheLightFromOutside) {
+    const glm::dvec3 point(40, -2, 7), centre(43, 9, 6);
+    Emitter sunlight = sun(glm::normalize(glm::dvec3(0.3, 1, -0.2)), 3), spot = sunlight, sphere = sunlight;
+    spot.type = LightType::Spot;
+    sphere.type = LightType::Point;
+    for (Emitter* e : {&spot, &sphere}) {
+        e->position_ws = centre;
+        e->size = 0.7;
+    }
+    constexpr std::uint32_t kRays = 16;
+    const LightSamples to_sun(sunlight, point, 5), to_disk(spot, point, 5), to_sphere(sphere, point, 5);
+    const double distance = glm::distance(point, centre);
+    for (std::uint32_t k = 0; k < kRays; ++k) {
+        EXPECT_NEAR(glm::dot(to_sun.outline_ray(k, kRays).direction, sunlight.to_light), std::cos(3 * kPi / 180),
+                    1e-12);
+        const LightRay disk = to_disk.outline_ray(k, kRays), tangent = to_sphere.outline_ray(k, kRays);
+        const glm::dvec3 from_centre = point + disk.length_m * disk.direction - centre;
+        EXPECT_NEAR(glm::length(from_centre), 0.7, 1e-12) << "on the disk's edge";
+        EXPECT_NEAR(glm::dot(from_centre, spot.to_light), 0, 1e-12) << "in the disk's plane";
+        EXPECT_NEAR(tangent.length_m, std::sqrt(distance * distance - 0.49), 1e-6) << "to the tangent's end";
+        const double turn = glm::dot(disk.direction, to_disk.outline_ray((k + 1) % kRays, kRays).direction);
+        EXPECT_LT(turn, 1 - 1e-5) << "each to a point of its own";
+    }
+}
+
+TEST(AreaLight, RaysToTheOutlineFindAHundredthOfTheLight) {
+    constexpr double kRadiusDeg = 0.1, kHidden = 0.01;
+    const double radius_m = kHeight * std::tan(kRadiusDeg * kPi / 180);
+    double low = -1, high = 1;
+    for (int step = 0; step < 50; ++step) (disk_share(0.5 * (low + high)) > kHidden ? high : low) = 0.5 * (low + high);
+    const auto geometry = geometry_of(half_plane());
+    // Pairs of pixels beside a hard edge, too far from each other to be neighbours.
+    Receivers receivers{.width = 2, .height = 300, .pixels = {}};
+    receivers.pixels.assign(600, Receiver());
+    for (std::size_t i = 0; i < receivers.pixels.size(); i += 6) {
+        receivers.pixels[i] = test::floor_receiver({low * radius_m, 0, 0.01 * double(i) - 3}, 8);
+        receivers.pixels[i + 1] = test::floor_receiver({1, 0, 0.01 * double(i) - 3}, 8);
+    }
+    const ReferenceQuery query = query_for(half_plane(), sun({0, 1, 0}, kRadiusDeg), {.area = true});
+    const Reference reference = trace_visibility(ReferenceScene(geometry), receivers, query, {});
+    int missed = 0;
+    for (std::size_t i = 0; i < receivers.pixels.size(); i += 6) {
+        missed += reference.visibility.data[i] == 1;
+        EXPECT_NEAR(reference.visibility.data[i], 1 - kHidden, 1.01 * kHidden) << i;
+        EXPECT_EQ(reference.visibility.data[i + 1], 0) << i;
+    }
+    EXPECT_LE(missed, 5) << "of 100, of which 64 samples alone miss 39";
+}
+
+TEST(AreaLight, HardEdgesTakeTwentyFourRaysAPixel) {
+    const Penumbra p = penumbra(sun({0, 1, 0}, 1e-4), 2, {.area = true}, [](double x) { return x < 0 ? 1.0 : 0.0; });
+    EXPECT_EQ(p.largest, 0);
+    // A hard ray and 8 samples in each pixel. The edge lies between two pixels of each row. Three pixels get 16 rays to
+    // the light's outline, and one on each side of these 8 more samples.
+    EXPECT_EQ(p.reference.rays, 4u * (400 * (1 + 8) + 3 * 16 + 2 * 8));
+}
+
 TEST(AreaLight, SizeZeroGivesHardShadows) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
