@@ -25,12 +25,12 @@ constexpr Choice kProjections[] = {
 constexpr Choice kNearFar[] = {
     {"fitted", "by the fit", "Casters and receivers in the fit's region; with a manual fit light.near and light.far."},
     {"manual", "by hand", "light.near and light.far, whatever the fit; 0 is the fit's value."},
-    {"casters", "from caster to receiver",
+    {"casters", "first caster to last receiver",
      "From the first caster to the last receiver between the map's sides. Everything before the first caster is lit."},
     {"scene", "whole scene", "From the first to the last object of the scene, also beyond the map's sides."},
-    {"pancaking", "from receiver to receiver",
+    {"pancaking", "first to last receiver",
      "From the first receiver, with room for the bias. Casters before it are drawn flat on the near plane (pancaking). "
-     "Depth steps are the finest. The distance from caster to receiver is lost, so penumbrae that depend on it (PCSS) "
+     "Depth steps are the finest. The distance first caster to last receiver is lost, so penumbrae that depend on it (PCSS) "
      "are too narrow."},
 };
 
