@@ -115,7 +115,7 @@ public:
         return shared_->outcome.has_value();
     }
     /// Returns true if progress changed since the last call of progress(), or an outcome waits to be polled.
-    bool moved() const {
+    bool has_news() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->moved || shared_->outcome;
     }

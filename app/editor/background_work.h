@@ -86,8 +86,8 @@ public:
         return std::apply([](const auto&... work) { return (work.busy() || ...); }, all());
     }
     /// Returns true if results or progress have changed since the last poll() and update().
-    bool moved() const {
-        return std::apply([](const auto&... work) { return (work.moved() || ...); }, all());
+    bool has_news() const {
+        return std::apply([](const auto&... work) { return (work.has_news() || ...); }, all());
     }
     /// Waits until nothing is being measured.
     void finish() const {

@@ -27,7 +27,7 @@ public:
     bool poll();
 
     bool busy() const { return job_.busy(); }
-    bool moved() const { return job_.moved(); }
+    bool has_news() const { return job_.has_news(); }
     void finish() const { job_.wait(); }
 
 private:

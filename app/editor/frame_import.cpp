@@ -208,10 +208,10 @@ void FrameImport::end_import() {
     problem_.clear();
 }
 
-bool FrameImport::moved() const {
-    if (!step_ || !job_.busy()) return job_.moved();
+bool FrameImport::has_news() const {
+    if (!step_ || !job_.busy()) return job_.has_news();
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
-    return job_.moved() || int(passed.count()) != shown_seconds_;
+    return job_.has_news() || int(passed.count()) != shown_seconds_;
 }
 
 std::optional<ImportFacts> FrameImport::facts() const {

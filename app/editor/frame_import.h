@@ -41,7 +41,7 @@ public:
     /// Returns true while work runs, or its outcome waits for poll().
     bool busy() const { return job_.busy(); }
     /// Returns true if the import's progress or elapsed seconds have changed since the last call of facts().
-    bool moved() const;
+    bool has_news() const;
     /// Waits until no work runs.
     void finish() const { job_.wait(); }
 

@@ -73,7 +73,7 @@ public:
     /// Returns true while a frame is drawn, or rays of the picture are traced.
     bool tracing() const { return busy() || loop_->reference().busy(); }
     /// Returns true if poll() or update() has new results of tracing.
-    bool tracing_moved() const { return !under_way() && (busy() || loop_->reference().moved()); }
+    bool tracing_moved() const { return !under_way() && (busy() || loop_->reference().has_news()); }
     /// Waits until frame and rays are finished.
     void finish_tracing() const {
         wait();

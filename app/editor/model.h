@@ -67,7 +67,7 @@ public:
     /// Returns true while a scene is read or imported, or the thread of a cancelled one has not ended.
     bool loading() const { return scenes_.loading().busy() || import_.busy(); }
     /// Returns true if the next fulfil() has a loaded scene, or the progress of loading has changed.
-    bool loading_moved() const { return scenes_.loading().moved() || import_.moved(); }
+    bool loading_moved() const { return scenes_.loading().has_news() || import_.has_news(); }
     /// Returns true if the progress of the first picture has changed.
     bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Returns true while something is measured in the background.
@@ -77,7 +77,7 @@ public:
     }
     /// Returns true if the next fulfil() has results of a background measurement.
     bool measuring_moved() const {
-        return work_.moved() || export_.moved() || report_.moved() || presets_.pictures().moved() ||
+        return work_.has_news() || export_.has_news() || report_.has_news() || presets_.pictures().has_new_pictures() ||
                frames_.probe_moved();
     }
     /// Waits until nothing is being measured.

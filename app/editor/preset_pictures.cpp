@@ -43,7 +43,7 @@ ByteImage draw_preset_picture(Renderer& renderer, const std::string& key) {
     return halved(renderer.read_colour(frame.panes.empty() ? frame.colour : frame.panes.front().picture));
 }
 
-bool PresetPictures::moved() const {
+bool PresetPictures::has_new_pictures() const {
     const std::lock_guard lock(drawn_->mutex);
     return !drawn_->pictures.empty();
 }

@@ -36,7 +36,7 @@ public:
     unsigned texture(const std::string& key) const;
     bool busy() const { return job_.busy(); }
     /// Returns true if the background job has drawn preset pictures that update() has not uploaded yet.
-    bool moved() const;
+    bool has_new_pictures() const;
     /// Waits until the pictures under way are drawn.
     void wait() const { job_.wait(); }
 

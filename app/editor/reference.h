@@ -49,7 +49,7 @@ public:
     /// null if the frame has the reference already, or tracing was not begun.
     const TracedSoFar* so_far(const FrameResult& frame) const;
     /// Returns true if the next update() will find a finished result, or the progress has changed.
-    bool moved() const { return job_.moved(); }
+    bool has_news() const { return job_.has_news(); }
     /// Waits until no ray is being traced.
     void wait() const { job_.wait(); }
     /// Returns the message after ReferenceRequests::save_error once: "Wrote F.json".

@@ -28,7 +28,7 @@ public:
     ReportFacts facts() const;
 
     bool busy() const { return job_.busy(); }
-    bool moved() const { return job_.moved(); }
+    bool has_news() const { return job_.has_news(); }
     void finish() const { job_.wait(); }
 
 private:

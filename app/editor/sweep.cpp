@@ -175,7 +175,7 @@ void EditorSweep::measure_present(const Scene& scene, const EditorState& state) 
 }
 
 void EditorSweep::measure_marks(const Scene& scene, const EditorState& state) {
-    if (marks_are_known_ || mark_ || facts_.measuring_present || moved() || !facts_.present_problem.empty()) return;
+    if (marks_are_known_ || mark_ || facts_.measuring_present || has_news() || !facts_.present_problem.empty()) return;
     const auto measure = [&](const Settings* settings) {
         const auto picture = settings ? present_picture_under(*settings) : std::nullopt;
         const auto is_refused = [&](const MeasuringThread::Picture& p) { return is_same(p, *picture); };
@@ -334,7 +334,7 @@ void EditorSweep::compare_settings(const EditorState& state) {
 }
 
 bool EditorSweep::update(const EditorState& state) {
-    if (moved()) fetch_results();
+    if (has_news()) fetch_results();
     const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
     fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;

@@ -47,7 +47,7 @@ public:
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
     bool busy() const { return thread_ && thread_->busy(); }
     /// Returns true if update() has new results of the measuring thread.
-    bool moved() const { return thread_ && thread_->version() != seen_; }
+    bool has_news() const { return thread_ && thread_->version() != seen_; }
     /// Waits until the measuring thread has no work.
     void wait() const {
         if (thread_) thread_->wait();

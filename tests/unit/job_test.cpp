@@ -33,7 +33,7 @@ struct Puppet {
 TEST(Job, ReturnsItsValueOnce) {
     Puppet puppet;
     Job<int> job;
-    EXPECT_FALSE(job.busy() || job.wanted() || job.moved() || job.poll());
+    EXPECT_FALSE(job.busy() || job.wanted() || job.has_news() || job.poll());
     job.wait();
     job.start(puppet.work(7));
     puppet.wait_until_begun();
@@ -41,12 +41,12 @@ TEST(Job, ReturnsItsValueOnce) {
     EXPECT_FALSE(job.ended());
     puppet.let.set_value();
     job.wait();
-    EXPECT_TRUE(job.ended() && job.moved() && job.wanted() && job.busy());
+    EXPECT_TRUE(job.ended() && job.has_news() && job.wanted() && job.busy());
     const auto outcome = job.poll();
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->value, 7);
     EXPECT_FALSE(outcome->cancelled || outcome->problem);
-    EXPECT_FALSE(job.poll() || job.ended() || job.moved() || job.wanted());
+    EXPECT_FALSE(job.poll() || job.ended() || job.has_news() || job.wanted());
 }
 
 TEST(Job, NextJobStartsAfterTheCancelledOneAndOnlyItReports) {
@@ -113,7 +113,7 @@ TEST(Job, DroppedJobReportsNothing) {
     job.start(puppet.work(7, false));
     puppet.wait_until_begun();
     job.drop();
-    EXPECT_FALSE(job.moved());
+    EXPECT_FALSE(job.has_news());
     puppet.let.set_value();
     job.wait();
     EXPECT_FALSE(job.poll());
@@ -150,12 +150,12 @@ TEST(Job, ReportsProgressOfTheCurrentJobOnly) {
         return 1;
     });
     told.get_future().wait();
-    EXPECT_TRUE(job.moved());
+    EXPECT_TRUE(job.has_news());
     EXPECT_EQ(job.progress(), 0.501);
-    EXPECT_FALSE(job.moved());
+    EXPECT_FALSE(job.has_news());
     more.set_value();
     ended.get_future().wait();
-    EXPECT_FALSE(job.moved()) << "nothing that is worth drawing";
+    EXPECT_FALSE(job.has_news()) << "nothing that is worth drawing";
     EXPECT_EQ(job.progress(), 0.509);
     job.start(second.work(2), 0.1);
     second.wait_until_begun();
