@@ -11,10 +11,10 @@ namespace si {
 /// and ends with exit code 1. Call after creating windows, since GLFW restores Xlib's own handler.
 void survive_x_errors();
 
-/// Scope in which a function keeps the user's work if the X server ends.
+/// Guard that saves the user's work if the X server ends while the guard exists.
 class XServerGuard {
 public:
-    /// Sets the function that keeps the user's work when the X server ends.
+    /// Sets the function that saves the user's work when the X server ends.
     /// @param save runs on the thread of this object and may not use the window. It returns a clause for the message:
     /// "the next start offers the unsaved settings"
     explicit XServerGuard(std::function<std::string()> save);

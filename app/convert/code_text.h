@@ -38,8 +38,8 @@ struct CodeInput {
     /// Returns the value of an engine's parameter: the converted number, else the engine's default. For a parameter
     /// with named choices it is the index of the choice. @param key EngineParameter::key
     double number(std::string_view key) const;
-    /// Returns one line of code with "{}" replaced by the value of an engine's parameter. Empty if the conversion gives
-    /// the parameter no number. @param key EngineParameter::key
+    /// Returns one line of code with "{}" replaced by the value of an engine's parameter. Empty if the conversion has
+    /// no number for this parameter. @param key EngineParameter::key
     std::string line(std::string_view line, std::string_view key) const;
     /// Returns the settings of light view.light.
     const LightSettings& light() const { return settings.lights[std::size_t(settings.view.light)]; }

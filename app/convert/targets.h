@@ -20,7 +20,8 @@ struct ConvertTarget {
     std::string (*code)(const CodeInput&) = nullptr;
 };
 
-/// Returns all targets for whose code `convert` can write shadow settings: engines, graphics APIs, GLSL and C++.
+/// Returns all targets of the command `convert`, which writes shadow settings as code: engines, graphics APIs, GLSL and
+/// C++.
 std::span<const ConvertTarget> convert_targets();
 /// Finds the target of a conversion by name, such as "three". @throws UsageError with the nearest name and all names
 const ConvertTarget& convert_target(std::string_view name);

@@ -21,7 +21,7 @@ struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
-    std::vector<PixelDiagnosis> diagnoses;  ///< diagnoses of the probed pixel, one a light
+    std::vector<PixelDiagnosis> diagnoses;  ///< diagnoses of the probed pixel, one for each light
     Sections sections;                      ///< cross-sections of the probed pixel, while the panel Pixel is shown
     bool tracing_probe = false;             ///< diagnoses of the probed pixel are being traced
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;

@@ -12,8 +12,8 @@
 
 namespace si {
 
-/// Diagnoses of the probed pixel, one a light: whether its shadow equals the ray-traced reference, why not, and a fix.
-/// Also has the cross-sections of its shadow tests.
+/// Diagnoses of the probed pixel, one for each light: whether its shadow equals the ray-traced reference, why not, and
+/// a fix. Also has the cross-sections of its shadow tests.
 class EditorPixelDiagnosis {
 public:
     /// Updates the diagnoses of the probed pixel. Builds the ray-tracing hierarchy in the background if needed; a later

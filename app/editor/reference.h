@@ -32,7 +32,7 @@ public:
 
     /// Stores finished references and light maps, and starts the background job for those that `frame` lacks. Call once
     /// a frame. Returns true if the scene has to be drawn again, or facts() have changed.
-    /// @param drawn true: the frame is a new one; no job starts then, because a drag may follow
+    /// @param drawn true: the frame is a new one; no job starts then, since the user may still be dragging
     /// @throws Error if a job has failed
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ReferenceRequests& requests);

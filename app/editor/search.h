@@ -19,13 +19,14 @@
 
 namespace si {
 
-/// Subject of a background search: scene, settings, picture size and engine. A result is valid for its subject only.
+/// Subject of a background search: scene, settings, picture size, and the engine that is to draw the found settings. A
+/// result is valid for its subject only.
 struct SearchSubject {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
     int width = 0;                          ///< pixels of the picture
     int height = 0;                         ///< pixels of the picture
-    const EngineProfile* engine = nullptr;  ///< engine for which is searched; null: none
+    const EngineProfile* engine = nullptr;  ///< engine that is to draw the found settings; null: none
     /// Returns true if measurements of both subjects give the same.
     bool measures_like(const SearchSubject& other) const {
         return scene == other.scene && width == other.width && height == other.height &&

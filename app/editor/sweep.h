@@ -33,8 +33,8 @@ public:
         if (thread_) thread_->cancel_sweep();
     }
     /// Measures error and time of the present settings for the panel Frontier in the background, unless that is done
-    /// already. Then measures the pinned settings and the defaults of the chosen engine, which the plot marks beside
-    /// them. A measurement of other settings is cancelled. Call each frame.
+    /// already. After that it measures the pinned settings and the defaults of the chosen engine, which the plot marks
+    /// beside them. A measurement of other settings is cancelled. Call each frame.
     void measure_present(const Scene& scene, const EditorState& state);
     /// Stops measuring the present settings, the pinned ones and the engine's defaults. Call when no panel shows them.
     void stop_measuring_present();

@@ -23,7 +23,8 @@ struct ReportSubject {
 };
 
 /// Returns a preset as the subject of a report: the preset's shadows, drawn in the view of `shown`, so that all
-/// subjects of the report share one view. ReportSubject::options set the preset and that view.
+/// subjects of the report share one view. The returned ReportSubject::options choose the preset and that view on the
+/// command line.
 /// @param scene posed for `shown` @param options scene, preset and --set of the subject
 /// @param notes receives remarks @throws UsageError, Error
 ReportSubject preset_subject(const Scene& scene, const Settings& shown, const SessionOptions& options,
@@ -64,7 +65,7 @@ struct PresetReport {
     CostCase cost = kDefaultCost;
     std::string renderer, clock;
     std::vector<ReportSubject> subjects;
-    std::vector<ReportedCase> cases;  ///< one a subject
+    std::vector<ReportedCase> cases;  ///< one for each subject
     std::optional<ShadowTime> base;   ///< of base_of_costs(), timed in the same turns; nullopt: nothing was timed
 };
 

@@ -86,8 +86,8 @@ Session open_session(const SessionOptions& options);
 
 /// Changes one setting by an assignment "KEY=VALUE" of --set. No other setting changes along. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
-/// Changes settings by all assignments "KEY=VALUE" of --set, in order. Another bias.kind also sets its starting values,
-/// except of settings that the assignments name, before or after it.
+/// Changes settings by all assignments "KEY=VALUE" of --set, in order. An assignment that changes bias.kind also sets
+/// the starting values of the new kind. Settings that other assignments name, before or after it, keep theirs.
 /// @throws UsageError
 void apply_sets(Settings& settings, std::span<const std::string> assignments);
 /// Returns the keys of the settings that assignments "KEY=VALUE" of --set change, with those that a value implies.

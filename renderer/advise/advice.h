@@ -34,8 +34,8 @@ struct AdviceRule {
 std::span<const AdviceRule> advice_rules();
 
 /// Collects the setting changes that the advice rules propose for a frame with these settings and measurements. Leaves
-/// out changes without effect, and changes that another rule proposes with the same claimed benefit (Claim). Draws
-/// nothing: try_advice() measures the candidates.
+/// out changes without effect, and repeats of a change that an earlier rule proposes with the same claimed benefit
+/// (Claim). Draws nothing: try_advice() measures the candidates.
 std::vector<Candidate> advice_candidates(const Settings& settings, const AdviceFacts& facts);
 
 /// Draws, times and ranks candidates. First come changes that lower the error, whichever rule proposed them, then those

@@ -24,11 +24,11 @@ struct AutopilotGoals {
 
 /// Chooses the settings that the autopilot varies, and the values that it tries, from measurements of the frame. Each
 /// axis is one setting. Its first value is empty and keeps the present setting.
-/// @param max_resolution largest map resolution to try, texels per side; never more than 4096 is tried
+/// @param max_resolution largest map resolution to try, texels per side; values above 4096 count as 4096
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
 /// Removes the values that an engine cannot draw from the axes of a settings search, then the axes without any value.
-/// @param engine engine that is searched for; null: nothing is removed
+/// @param engine engine that is to draw the found settings; null: nothing is removed
 /// @param base present settings, in which each value is tested alone
 void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, const Settings& base);
 

@@ -47,14 +47,14 @@ double pixel_m(const Camera& camera, double depth_m, int lines);
 /// MeasuredBias::breakdown().
 LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& receiver);
 
-/// Bias of the pixels of a measured frame. Refers to all that it is made of.
+/// Bias of the pixels of a measured frame. Keeps references to the constructor's arguments, which must outlive it.
 class MeasuredBias {
 public:
-    /// Refers to a frame and to settings.
+    /// Keeps references to all arguments.
     /// @param settings settings with the bias to examine, which need not be that of the frame
     MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
-    /// Computes the depth bias that the settings give to the surface point of one pixel, by setting, and the least bias
-    /// that avoids acne there.
+    /// Computes the depth bias that the settings give to the surface point of one pixel, with the share of each
+    /// setting, and the least bias that avoids acne there.
     BiasBreakdown breakdown(const Receiver& receiver) const;
 
 private:
@@ -69,7 +69,7 @@ private:
 /// acne have enough bias. Uses an even sample of the pixels that bias_needs() considers. Amounts are in texels where
 /// bias.unit applies, and end at the limits of the settings. Kinds that compute the needed bias per pixel get no
 /// amounts. Normal offset and polygon offset, which act beside bias.kind, are not combined with another kind.
-/// @return none when the light draws no map, or when no amount of the row has an effect where bias is needed
+/// @return none when the light draws no map, or when pixels need bias but no amount of the row gives them any
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);
 

@@ -40,7 +40,7 @@ std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& s
 /// @param settings present settings, to which the fix is applied
 Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings);
 
-/// Length of the list of setting changes that fix_candidates() proposes.
+/// Choice of a short or a whole list of setting changes for fix_candidates().
 enum class FixList {
     Short,  ///< changes that help most often
     Whole,  ///< all kernels, and more strengths of each bias, too

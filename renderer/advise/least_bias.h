@@ -18,7 +18,7 @@ namespace si {
 /// Largest share of the counted pixels with acne that counts as no acne.
 inline constexpr double kMaxAcneShare = 1e-4;
 
-/// Trial of one bias: error, lack of bias and score of the frame that was drawn with it.
+/// Trial of one bias: error, pixels that lack bias (BiasNeeds), and score of the frame that was drawn with it.
 struct BiasTrial {
     ErrorMetrics error;
     BiasNeeds needs;

@@ -35,7 +35,7 @@ struct SearchTools {
     ReferenceCache& cache;
     Workers workers = {};                   ///< threads of the reference, with the stop token of the search
     TrialReport report = {};                ///< receives progress; empty: nobody does
-    const EngineProfile* engine = nullptr;  ///< engine for which is searched: changes that it lacks are left out
+    const EngineProfile* engine = nullptr;  ///< engine that will draw the result; changes that it lacks are left out
     /// Returns a copy of these tools for one step of a search: the step's progress 0..1 is reported as lo..hi. The
     /// `report` of the copy is never empty, and throws Cancelled once a stop was requested.
     SearchTools part(double lo = 0, double hi = 1) const;
@@ -202,7 +202,7 @@ bool try_each(std::vector<C> list, const TrialReport& report,
 }
 
 /// Removes the candidate setting changes that an engine cannot draw. Returns the number of removed ones.
-/// @param engine engine that is searched for; null: nothing is removed
+/// @param engine engine that is to draw the found settings; null: nothing is removed
 /// @param base present settings
 std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* engine, const Settings& base);
 

@@ -24,8 +24,8 @@ public:
     TrackedMemory(TrackedMemory&& other) noexcept;
     TrackedMemory& operator=(TrackedMemory other) noexcept;
 
-    /// Adds bytes to this entry of the memory accounting, when its owner allocates more. An entry without a holder
-    /// ignores the call.
+    /// Adds bytes to this entry of the memory accounting, when its owner allocates more. An empty entry (made without
+    /// arguments, or dropped) ignores the call.
     /// @param bytes negative: subtracted
     void add(std::int64_t bytes);
     /// Returns the bytes that this entry counts at present.

@@ -84,8 +84,8 @@ struct BiasBreakdown {
     double offset_shift_m() const;
 };
 
-/// Computes the bias that the settings give a surface point under a light's shadow map, split by setting, and the least
-/// bias that avoids acne there.
+/// Computes the bias that the settings give a surface point under a light's shadow map, with the share of each setting,
+/// and the least bias that avoids acne there.
 /// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
 /// @param kernel_reach_texels kernel_reach_in_light().bias, the same for all points; none: is computed

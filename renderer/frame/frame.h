@@ -196,8 +196,8 @@ struct ShownMap {
     MapSource source = MapSource::Light;
     int light = -1, face = 0;  ///< light -1: none is shown
     int channel = 0;           ///< 0 depth, else 1 + channel of the kernel's moments
-    std::string_view name;     ///< name of the shown moment
-    int mip = 0;               ///< mip level of the shown moment
+    std::string_view name;     ///< name of the shown depth moment
+    int mip = 0;               ///< mip level of the shown depth moment
     glm::ivec2 texels{0};      ///< width and height of the shown level
 };
 

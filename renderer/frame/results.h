@@ -39,7 +39,7 @@ enum class Result {
     Slabs,                ///< picture of one pane with map texels as quads
     MapCoordinates,       ///< kernel centre of each pixel in the map
     TexelsRead,           ///< map texels that some kernel fetches
-    MapChannel,           ///< one moment of the shown map
+    MapChannel,           ///< one depth moment of the shown map
     DepthRange,           ///< smallest and largest depth in the map viewer
     MapView,              ///< picture of the map viewer
     Health,               ///< invalid numbers in all other results

@@ -34,12 +34,12 @@ constexpr EffectState state_of(PassState state) {
                                         : EffectState::NotNeeded;
 }
 
-/// Appends the effects (pieces of rendering work) of the pass that draws a light's shadow maps: one for each of several
-/// maps, and the alpha test. Used to report the work of a frame.
+/// Appends the effects (pieces of rendering work) of the pass that draws a light's shadow maps: one for each map if the
+/// light has several, and one for the alpha test. Used to report the work of a frame.
 /// @param f input of the report @param out receives the effects
 void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects (pieces of rendering work) of the pass that draws pages of virtual shadow maps: pages drawn,
-/// kept and not read, and the alpha test. Used to report the work of a frame.
+/// Appends the effects (pieces of rendering work) of the pass that draws pages of virtual shadow maps: drawn pages,
+/// kept pages, unread pages, and the alpha test. Used to report the work of a frame.
 /// @param f input of the report @param out receives the effects
 void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 /// Appends the effects (pieces of rendering work) of the pass that filters moment maps: blur, mip levels, and several

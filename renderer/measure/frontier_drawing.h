@@ -115,8 +115,8 @@ struct FrontierDrawing {
 };
 
 /// Draws a frontier plot: one line for each kernel, and the Pareto front as bold stairs with a label for each step.
-/// Lines without a case on the front are thin and grey. Settings outside the sweep are diamonds. Whiskers show the
-/// noise where that of neighbours on the front overlaps.
+/// Lines without a case on the front are thin and grey. Settings outside the sweep are diamonds. Neighbours on the
+/// front whose noise overlaps have whiskers that show it.
 FrontierDrawing frontier_drawing(const FrontierPlot& plot, const PlotPage& page);
 
 /// Returns a sentence on the knee of the Pareto front, the case after which more cost buys little: no case of at most

@@ -42,8 +42,8 @@ private:
     DrawnMaps maps_;
 };
 
-/// Pass that draws the shadow maps without polygon offset and with alpha masks at their finest mip level. Trials of
-/// wrong pixels read these maps to find the true depth of casters.
+/// Pass that draws the shadow maps without polygon offset and with alpha masks at their finest mip level. The trials
+/// that find the cause of a wrong pixel read these maps for the true depth of casters.
 class UnfilteredMapPass : public FramePass {
 public:
     UnfilteredMapPass(LightDepthPasses& light_depth, PagePasses& pages) : light_depth_(light_depth), pages_(pages) {}
@@ -51,7 +51,8 @@ public:
 
 private:
     /// Draws a second shadow map of each light, without polygon offset and with alpha masks at their finest mip level.
-    /// Trials of wrong pixels read it to find the true depth of casters. Called when the plan runs the pass.
+    /// The trials that find the cause of a wrong pixel read it for the true depth of casters. Called when the plan runs
+    /// the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

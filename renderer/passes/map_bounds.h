@@ -11,7 +11,7 @@ namespace si {
 class MapBoundsPass : public FramePass {
 public:
     /// Images that MapBoundsPass draws and keeps between frames. They hold for each block of map texels the slope of
-    /// its two bounding planes, and the smallest and largest depth minus slope.
+    /// its two bounding planes, and the depths of both planes at the block's middle.
     struct Targets {
         gl::Target bounds;  ///< RGBA32F, a layer for each view
         gl::Target cells;   ///< bounds of single cells, before widening by the kernel's reach; one view

@@ -7,7 +7,8 @@
 namespace si {
 
 /// Passes that draw the map viewer's picture of a shadow map or of the camera's depth. There are three: the shown
-/// moment (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
+/// channel of a map of depth moments (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture
+/// (Result::MapView).
 class MapViewPasses : public FramePass {
 public:
     /// Images that MapViewPasses draws and keeps between frames for the map viewer, and the range of the depths in the

@@ -48,8 +48,8 @@ public:
 
     void declare(FrameState& f) override;
     /// Adds a pass to the frame's plan that draws the pages of virtual shadow maps without polygon offset and with
-    /// alpha masks at their finest mip level. Trials of wrong pixels read these pages to find the true depth of
-    /// casters.
+    /// alpha masks at their finest mip level. The trials that find the cause of a wrong pixel read these pages for the
+    /// true depth of casters.
     /// @param pass pass with its name and reasons filled in
     void declare_unfiltered(FrameState& f, Pass pass);
 

@@ -33,7 +33,7 @@ struct DepthCurve {
     DepthConvention convention;
     std::optional<DepthWarp> warp;  ///< set for a warped map; use the functions of curve_at_row() there
     /// Returns the depth curve (mapping from distance to depth-buffer value) of the rays through one row of a warped
-    /// shadow map; the curve itself for other maps.
+    /// shadow map. For a map that is not warped, returns this curve.
     /// @param v map coordinate, clamped to [0,1]
     DepthCurve curve_at_row(double v) const;
     /// Returns the depth-buffer value in [0,1] at a distance z along the axis of the light or camera view, metres.
@@ -54,8 +54,8 @@ struct DepthCurve {
     /// @param metres move along the axis; below 0: away from the light
     double depth_change_towards_light(double z, double metres) const;
     /// Returns how far a point has to move towards the light, in metres along the axis, to change its depth-buffer
-    /// value by `depth`; the inverse of depth_change_towards_light(). At most z in perspective; infinite for an
-    /// infinite depth.
+    /// value by `depth`; the inverse of depth_change_towards_light(). In perspective, a finite depth gives at most z,
+    /// and minus infinity if no point is that much deeper. An infinite depth gives infinity.
     /// @param z distance of the point, metres along the axis
     /// @param depth change towards the light, depth-buffer units
     double metres_towards_light(double z, double depth) const;

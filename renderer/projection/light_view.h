@@ -80,8 +80,8 @@ struct LightView {
     /// Returns the size in world space of the shadow map texel that contains a point, measured across the light's axis.
     /// @param size texels of the map
     TexelSize texel_size_at(const glm::dvec3& point_ws, MapSize size) const;
-    /// Returns the longest side of the largest texels of the shadow map and the shortest side of the smallest; in
-    /// perspective of texels within the depth range.
+    /// Returns the longest side of the largest texels of the shadow map and the shortest side of the smallest. In
+    /// perspective, where texels grow with distance, only those within the depth range count.
     /// @param size texels of the map
     TexelSize texel_size_range(MapSize size) const;
     /// Returns the depth curve (mapping from distance to depth-buffer value) along the light's ray through a

@@ -79,7 +79,7 @@ struct ReferenceGeometry {
 /// whether blended ones do.
 Key reference_geometry_key(const Scene& scene, const Settings& settings);
 
-/// Shadow settings of one object that its reference depends on besides the geometry.
+/// Shadow settings of one object that, besides its geometry, change the ray-traced reference.
 struct ObjectTraits {
     bool receives = true;
     Cull cull = Cull::None;  ///< face culling in the shadow map; the object's own setting overrides the scene's

@@ -35,8 +35,9 @@ public:
     /// @param watch function to call, also for frames without invalid numbers; empty: stops the search
     void set_number_watcher(NumberWatcher watch);
 
-    /// Returns a key of the shader programs that render() would use. Frames of equal keys need the same programs, so
-    /// that none is left to compile. Draws nothing, except the visible depths where a fit of the maps needs them.
+    /// Returns a key of the shader programs that render() would use. Frames with equal keys need the same programs:
+    /// after one of them, the others have nothing to compile. Draws nothing, except the visible depths where a fit of
+    /// the maps needs them.
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
     /// Reads back an RGBA8 image of a frame, top row first.

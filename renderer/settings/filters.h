@@ -145,14 +145,15 @@ PrefilterBytes prefilter_bytes(const Settings& settings);
 /// format, blurred depth (map.blur_texels) 4 more. Prefiltered moments are added, temporary images are not.
 double stored_texel_bytes(const Settings& settings);
 
-/// Returns the number of the moment that the map viewer shows (view.map_channel), counted from 1. Returns 0 when the
-/// viewer shows depth: the kernel has no moment of this number, or the image is the camera's depth.
+/// Returns the number of the depth moment (channel of the kernel's moment map) that the map viewer shows, counted from
+/// 1: view.map_channel. Returns 0 when the viewer shows depth: the kernel has no moment of this number, or the image is
+/// the camera's depth.
 int shown_channel(const Settings& settings);
 /// Returns true when the chosen kernel's moments are stored with mip levels: filter.mips is on, and the kernel reads
 /// moments, but not from a summed-area table.
 bool keeps_mips(const Settings& settings);
-/// Returns the mip level at which the map viewer shows a moment (view.map_mip). It may exceed the coarsest level of the
-/// map. Returns 0 for depth and for moments without mip levels.
+/// Returns the mip level at which the map viewer shows a depth moment (view.map_mip). It may exceed the coarsest level
+/// of the map. Returns 0 for depth and for moments without mip levels.
 int requested_mip(const Settings& settings);
 
 /// Returns the highest exponent (filter.exponent) for which the stored exponentials and their powers neither overflow

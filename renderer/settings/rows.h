@@ -14,18 +14,19 @@ namespace si {
 
 // Rows of the settings table by topic; params() joins them.
 
-/// Returns the rows of the settings table, for params(), about shadow maps: map.*, caster.*, bias.*, filter.*.
+/// Returns the rows of the settings table (params()) that concern shadow maps: map.*, caster.*, bias.*, filter.*.
 std::vector<Param> shadow_rows();
-/// Returns the rows of the settings table, for params(), about lights: light.count and light.*.
+/// Returns the rows of the settings table (params()) that concern lights: light.count and light.*.
 std::vector<Param> light_rows();
-/// Returns the rows of the settings table, for params(), about shadows without a map: volumes.*, contact.*, blob.*,
+/// Returns the rows of the settings table (params()) that concern shadows without a map: volumes.*, contact.*, blob.*,
 /// light_map.*.
 std::vector<Param> source_rows();
-/// Returns the rows of the settings table, for params(), about picture, camera and scene: shading.*, camera.*, scene.*.
+/// Returns the rows of the settings table (params()) that concern picture, camera and scene: shading.*, camera.*,
+/// scene.*.
 std::vector<Param> picture_rows();
-/// Returns the rows of the settings table, for params(), about map viewer, panes and overlays: view.*.
+/// Returns the rows of the settings table (params()) that concern map viewer, panes and overlays: view.*.
 std::vector<Param> view_rows();
-/// Returns the rows of the settings table, for params(), about the ray-traced reference and single objects: truth.*,
+/// Returns the rows of the settings table (params()) that concern the ray-traced reference and single objects: truth.*,
 /// object.*.
 std::vector<Param> reference_rows();
 

@@ -2,7 +2,7 @@
 // cells with all cells in a kernel's reach. Planes are tighter than a nearest and farthest depth, since the depths of one
 // surface form a slope.
 #include "lib/shadow_map.glsl"
-layout(location = 0) out vec4 bounds_out;  // slope per texel along x and y, smallest and largest depth minus slope: see lib/map_bounds.glsl
+layout(location = 0) out vec4 bounds_out;  // xy: slope per texel; zw: depths of both planes at the middle (lib/map_bounds.glsl)
 uniform int layer;
 uniform int reach;  // cells around a block that a kernel reaches
 

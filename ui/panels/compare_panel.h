@@ -16,7 +16,7 @@ struct PresetsFacts;
 /// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned. Tried:
 /// PictureState::tried.
 enum class CompareKind { Scene, Defaults, Preset, Pinned, Tried };
-/// Choice of the settings with which the panel Compare compares the present ones.
+/// Choice in the panel Compare: which settings it compares with the present ones. Holds no values of settings.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< key of a built-in preset or path, if kind is Preset

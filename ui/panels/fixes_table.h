@@ -59,8 +59,8 @@ void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::opti
 bool draw_fixes_table(const FixSearch& search, const Settings& settings, const Settings* tried, FixRequests& requests,
                       std::optional<glm::ivec2> pixel);
 
-/// Returns true if the settings shown for trial are the present ones with these changes. Lists of changes mark that
-/// row.
+/// Returns true if the settings shown for trial are the present ones with these changes. Lists of changes use it to
+/// mark the row that is shown for trial.
 /// @param settings present settings @param tried settings that are shown for trial; null: none
 /// @param changes pairs of setting key and value
 bool is_tried(const Settings& settings, const Settings* tried,

@@ -78,7 +78,7 @@ void choose_setting(const Settings& settings, AxisText& axis) {
     ImGui::EndCombo();
 }
 
-/// Draws the varied settings, one a line. Returns the number of combinations; 0 if an axis is invalid.
+/// Draws the varied settings, one per line. Returns the number of combinations; 0 if an axis is invalid.
 std::size_t draw_axes(SweepPanel& panel, const Settings& settings, std::vector<std::string>& axes) {
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
     std::size_t product = 1;

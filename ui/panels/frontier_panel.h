@@ -30,8 +30,8 @@ struct MeasuredCase {
     std::string name;  ///< "1024 · PCF 3×3"
     std::vector<std::pair<std::string, std::string>>
         settings;                            ///< varied settings, then starting values that they bring along
-    std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one a setting
-    /// Distance from the best value, one a column, with the sign that was measured; NaN: not known.
+    std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one for each setting
+    /// Distance from the best value, one for each column, with the sign that was measured; NaN: not known.
     std::vector<double> values;
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };

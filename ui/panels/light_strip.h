@@ -9,11 +9,10 @@
 
 namespace si {
 
-/// Number that the strip plots.
+/// Number that the page Light path plots along the path of a light.
 enum class StripPlots { Error, Time, Shimmer };
 
-/// State of the strip, a plot of error, time or shimmer along the path of a light: ends of the path, and the plotted
-/// number.
+/// State of the page Light path: ends of the path, and the number that is plotted along it (error, time or shimmer).
 struct LightStripPanel {
     bool day = false;                               ///< the sun over a day; else from one direction to another
     double azimuth_from = -90, azimuth_to = 90;     ///< degrees
@@ -24,14 +23,14 @@ struct LightStripPanel {
     StripPlots plots = StripPlots::Error;
 };
 
-/// Data for the strip, a plot along the path of a light: progress and last result of its measurement.
+/// Data for the page Light path: progress and last result of its measurement.
 struct LightStripFacts {
     std::optional<SearchProgress> measuring_path;  ///< none: not under way
     const LightPathResult* path = nullptr;  ///< last result for this scene, also while it is measured; null: none
     bool path_current = false;              ///< of the present settings, the light's direction aside
 };
 
-/// Requests of the strip, a plot along the path of a light: measure a path, cancel, save the worst step as a preset.
+/// Requests of the page Light path: measure a path, cancel, save the worst step as a preset.
 struct LightStripRequests {
     std::optional<std::string> measure_along;  ///< path for straight_path()
     std::optional<std::string> measure_day;    ///< path for day_path()

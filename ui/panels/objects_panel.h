@@ -16,7 +16,7 @@ struct ObjectsPanel {
     int scroll_frames = 0;               ///< frames left in which the list scrolls to it
     std::string hovered;                 ///< node path of the row under the mouse; empty: none
     std::set<std::string> closed_nodes;  ///< node paths whose children are folded away
-    std::vector<double> ranks;           ///< sort values of the nodes of the scene `ranks_scene`, one a node
+    std::vector<double> ranks;           ///< sort values of the nodes of the scene `ranks_scene`, one for each node
     std::uint64_t ranks_scene = 0;       ///< Scene::id
 };
 

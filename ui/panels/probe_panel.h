@@ -24,7 +24,7 @@ using Sections = std::shared_ptr<const std::vector<Section>>;
 struct ProbeFacts {
     const Probe* probe = nullptr;  ///< shadow test of state.probe_pixel; null: not known
     AnchorPlace anchor_place = AnchorPlace::Seen;
-    std::span<const PixelDiagnosis> diagnoses;  ///< one a light of the probe, once the reference is there
+    std::span<const PixelDiagnosis> diagnoses;  ///< one for each light of the probe, once the reference is there
     Sections sections;                          ///< null: the panel is hidden
     bool tracing_probe = false;                 ///< the diagnoses will follow
     bool verdict_follows = false;  ///< the data belongs to an earlier picture; the next picture is being drawn

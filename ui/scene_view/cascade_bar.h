@@ -11,7 +11,8 @@
 namespace si {
 
 /// Moves the far end of one cascade of a light by new manual splits (light.split). The other cascades keep their ends.
-/// @param drawn settings of the light that gave `ends` @param ends far ends of all cascades, metres of camera depth
+/// @param drawn the light's settings in the frame from which `ends` was taken
+/// @param ends far ends of all cascades, metres of camera depth
 /// @param cascade index of the moved one, not the last @param metres the new end; clamped between its neighbours
 void move_cascade_end(LightSettings& light, const LightSettings& drawn, std::span<const double> ends, int cascade,
                       double metres);

@@ -19,7 +19,7 @@ double heaviest_tap(const Probe::PerLight& light);
 /// shows the numbers of the tap under the mouse. @param side width of the grid, pixels
 void draw_tap_grid(const Probe::PerLight& light, float side);
 
-/// Draws the legend of the colours of a kernel's taps, one a line.
+/// Draws the legend of the colours of a kernel's taps, one per line.
 void draw_tap_key();
 
 /// Draws the texels of the probed pixel's kernel into the scene picture, on the plane of the receiver and in the

@@ -67,8 +67,8 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
 /// Returns all handles that a light has by its type and fit, visible in the picture or not.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
-/// Returns the position of a light's handle in world space. Arrows and the direction's ball have a constant size on the
-/// screen, so that their positions depend on the view.
+/// Returns the position of a light's handle in world space. Arrows, and the ball on which the direction's handle moves,
+/// have a constant size on the screen. So these positions depend on the view.
 glm::dvec3 handle_position(const LightPose& pose, LightHandle handle, const PictureView& view);
 
 /// Returns the radius in metres of the ball on which the handle of a light's direction moves. The ball's centre is a

@@ -71,8 +71,8 @@ public:
 
 private:
     static constexpr std::size_t kLimit = 500;
-    /// Makes a step of the undo history the shown one and returns its settings. @param step the index of an existing
-    /// step
+    /// Goes to a step of the undo history, which is then the shown one, and returns its settings. @param step the index
+    /// of an existing step
     const Settings& show_step(std::size_t step);
 
     /// Step of the undo history: settings with their scene and preset.

@@ -33,8 +33,8 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
 void draw_lights_page(EditorState& state, const EditorFrame& frame);
 /// Draws the page Pixel of the inspector: shadow test, verdict and cross-section of the probed pixel.
 void draw_probe(EditorState& state, const EditorFrame& frame);
-/// Draws the page Error of the strip: errors of the shown light's shadows against the reference, in numbers and by
-/// cause.
+/// Draws the page Error of the strip (the panel below the pictures): errors of the shown light's shadows against the
+/// reference, in numbers and by cause.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the page Objects of the inspector: the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);

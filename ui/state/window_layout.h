@@ -70,7 +70,7 @@ inline constexpr const char* kTabLabels[kTabs] = {"Settings", "Objects", "Lights
 constexpr Tab tab_of(Page page) {
     return kPageTable[index_of(page)].tab;
 }
-/// Returns true for a tab of the inspector, false for one of the strip.
+/// Returns true for a tab of the inspector, false for one of the strip below the pictures.
 constexpr bool is_in_inspector(Tab tab) {
     return tab <= Tab::Improve;
 }

@@ -12,7 +12,7 @@ namespace si {
 /// Keys of settings with new values, for set_settings().
 using ShownChanges = std::span<const std::pair<std::string, std::string>>;
 
-/// Formats changes of settings for a tooltip, one a line, with their keys: "Resolution: 512 texels   map.resolution".
+/// Formats changes of settings for a tooltip, each on a line with its key: "Resolution: 512 texels   map.resolution".
 /// @param settings before the changes @throws UsageError for a setting or value that does not exist
 std::string changes_list(const Settings& settings, ShownChanges changes);
 

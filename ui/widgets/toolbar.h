@@ -17,7 +17,7 @@ public:
     void space(float width) { space_ = width; }
     /// Adds a widget to the toolbar. The first widget without room and all after it go into the menu at the end.
     /// @param label text before the widget; empty: none @param width width of the widget, pixels
-    /// @param draw function that draws the widget in a given width; 0: in its own
+    /// @param draw function that draws the widget; its argument is the widget's width, pixels
     void item(const char* label, float width, std::function<void(float)> draw);
     /// Draws a title as the toolbar's next widget if it fits, else leaves it out.
     void title(const char* text);

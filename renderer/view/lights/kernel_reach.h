@@ -16,7 +16,7 @@ double max_penumbra_radius_texels(const FittedLight& light, MapSize size);
 double smallest_texel_m(const FittedLight& light, MapSize size);
 
 /// Returns how far the filter kernel looks from its centre under one light, in texels. For kernels sized in metres or
-/// by the light's size this depends on the light's maps. For a light that does not cast the result is reach_of() of the
+/// by the light's size this depends on the light's maps. If the light has no shadow map, returns reach_of() of the
 /// settings.
 /// @param size texels of the map
 Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, MapSize size);

@@ -46,7 +46,7 @@ struct VolumeMesh {
     explicit VolumeMesh(const Mesh& mesh);
 };
 
-/// Light away from which shadow volumes extend: a direction for parallel light, else a position.
+/// Light for building shadow volumes, which extend away from it: a direction for parallel light, else a position.
 struct VolumeLight {
     bool parallel = true;
     glm::dvec3 to_light{0, 1, 0};  ///< unit vector, for parallel light
@@ -54,11 +54,11 @@ struct VolumeLight {
 };
 
 /// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 is the copy of
-/// this corner moved far away from the light. Seen from outside the volume, triangles wind counter-clockwise, except
-/// `clockwise_caps`. Light caps keep the winding with which the camera draws the same triangles, so that both draw
-/// bit-equal depths.
+/// this corner moved far away from the light. Light caps (ends near the light) are triangles of the mesh itself. They
+/// keep the winding with which the camera draws them, so that both draw bit-equal depths. Seen from outside the volume,
+/// all triangles wind counter-clockwise but those in `clockwise_caps`.
 struct VolumeTriangles {
-    std::vector<std::uint32_t> caps;            ///< light caps
+    std::vector<std::uint32_t> caps;            ///< light caps that turn counter-clockwise
     std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise
     std::vector<std::uint32_t> rest;            ///< sides and dark caps
     /// Returns the number of shadow volume triangles in all lists.
