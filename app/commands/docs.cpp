@@ -21,7 +21,7 @@ constexpr std::string_view kSettingsIntro =
     "hand.\n"
     "\n"
     "Every setting has a control in the editor. On the command line a setting is given as `--set KEY=VALUE`, and a "
-    "preset saves it. The key `light.X` means `light.0.X`, and lights 0 to 15 have the same settings. The key "
+    "preset saves it. The key `light.X` means `light.0.X`. Each of the lights 0 to 15 has these settings. The key "
     "`object.PATH.X` belongs to the object at the node path `PATH`, such as `object.Root/Fence.cull`.\n";
 
 std::string allowed(const SettingRef& ref) {

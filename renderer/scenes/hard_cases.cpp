@@ -467,7 +467,7 @@ constexpr HardCase kCases[] = {
     {13, "degenerate", "Triangles without area",
      "Triangles that are only points or lines rasterise to depths outside 0 to 1 on some drivers. A blur spreads "
      "these depths.",
-     "Triangles without area are found exactly as the scene is read. They are dropped and counted.",
+     "While the scene is read, triangles without area are found by exact arithmetic, dropped and counted.",
      "pixels that differ from the mesh without them", 0, kCount, "triangles without area cast no shadow",
      "triangles whose normal would be 0/0", 4, hard_degenerate,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
@@ -580,8 +580,8 @@ constexpr HardCase kCases[] = {
     {27, "edge-on-planes", "Planes seen edge-on",
      "For a plane seen edge-on, the slope from screen derivatives divides by 0. Engines add the slope over one texel "
      "as bias. On faces one pixel wide that exceeds the caster's thickness, so light leaks.",
-     "The slope comes from the triangle's plane by a quotient without an inverse matrix. Nothing is added, and "
-     "edge-on planes need no look-up.",
+     "The slope comes from the triangle's plane by a quotient without an inverse matrix. No slope is added to the "
+     "bias, and edge-on planes need no look-up.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
      "pixels on the steps' own edges may show either face",
      "share of pixels that the slope by screen derivatives takes out of their shadow", 0.05, hard_stairs,

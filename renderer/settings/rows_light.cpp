@@ -30,8 +30,8 @@ constexpr Choice kNearFar[] = {
     {"scene", "whole scene", "From the first to the last object of the scene, also beyond the map's sides."},
     {"pancaking", "first to last receiver",
      "From the first receiver, with room for the bias. Casters before it are drawn flat on the near plane (pancaking). "
-     "Depth steps are the finest. The distance first caster to last receiver is lost, so penumbrae that depend on it (PCSS) "
-     "are too narrow."},
+     "Depth steps are the finest. The distance first caster to last receiver is lost, so penumbrae that depend on it "
+     "(PCSS) are too narrow."},
 };
 
 constexpr Choice kDepthBounds[] = {
@@ -234,8 +234,9 @@ constexpr auto kLight = with_scope(
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help =
              "Length of the ray that is marched from each surface towards the light through the camera's depth "
-             "buffer. A surface that blocks the ray shadows its start, whatever light.source says. Contact shadows "
-             "restore the small shadows that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
+             "buffer. If a surface blocks the ray, the ray's start is in shadow, whatever light.source says. Contact "
+             "shadows restore the small shadows that a bias loses at contacts. Only geometry in the picture counts. "
+             "0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
         {SI_LIGHT_FIELD(source), .label = "Source", .choices = choices_of<sources>,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),

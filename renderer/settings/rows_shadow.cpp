@@ -73,7 +73,7 @@ constexpr Choice kBundleMaps[] = {
 };
 constexpr Choice kBundleBiases[] = {
     {"file", "as the file states", "The bias that the bundle states; unknown where it does not state all of it."},
-    {"entered", "entered here", "bias.* hold the engine's bias, as you have entered it."},
+    {"entered", "entered by hand", "bias.* hold the engine's bias, as you have entered it."},
     {"unknown", "unknown", "Nobody knows it. No verdict claims that the engine's pixel is wrong."},
 };
 
@@ -353,7 +353,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
      .help = "Rule for the amount that is subtracted from the fragment's depth before the comparison. Normal offset "
              "and polygon offset are added to it. Choosing another kind sets bias.constant and bias.normal to the "
              "starting values of that kind: 0.1 and 3 texels for slope and constant, 0 and 0 for all other kinds. "
-             "Values that the same command line or sweep gives stay.",
+             "Values given in the same command line or sweep are kept.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},

@@ -28,8 +28,8 @@ constexpr auto kSourceParams = std::to_array<Param>({
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
      .help = "Assumed thickness of visible surfaces, which the depth buffer does not hold. A ray at most this far "
-             "behind a surface is blocked. Too small a thickness lets light through. Too large a thickness shadows "
-             "free surfaces behind an edge.",
+             "behind a surface is blocked. Too small a thickness lets light through. Too large a thickness puts "
+             "surfaces behind an edge in shadow, although nothing blocks their light.",
      .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
     {SI_FIELD(blob.size), .label = "Size", .unit = "x caster", .min = 0.1, .max = 4,
      .help = "Radius of the disc against half the caster's width across the light.", .read_by = ReadBy::Blobs},

@@ -19,8 +19,8 @@ constexpr SplitRow kSplits[] = {
      .help = "Intervals of equal length: far ones get finer texels than pixels need."},
     {.key = "logarithmic",
      .label = "by equal ratios",
-     .help = "Each interval ends at the same multiple of its beginning: a texel then covers about as many pixels in "
-             "each, and near intervals are very short. Even under an orthographic camera.",
+     .help = "Each interval ends at the same multiple of its beginning: a texel then covers about the same number of "
+             "pixels in each, and near intervals are very short. Even under an orthographic camera.",
      .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004"},
     {.key = "practical",
      .label = "practical (PSSM)",

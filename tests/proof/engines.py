@@ -37,9 +37,9 @@ ENGINES = {
                  "casters lose width, and rods of two texels vanish. The maps here hold 32-bit floats (`new "
                  "ShadowGenerator(size, light, true)`). Babylon's default 16-bit floats round depths to 2^-11 of the"
                  " depth range, so acne begins at a larger bias. The engine's shaders read maps of the filters NONE,"
-                 " POISSON and ESM by a `sampler2D` without precision. A driver of OpenGL ES, such as Mesa's, may "
-                 "then read 16 bits, with the same effect. These pictures are by Mesa's desktop OpenGL, which reads "
-                 "32 bits.",
+                 " POISSON and ESM by a `sampler2D` without a precision qualifier. A driver of OpenGL ES, such as "
+                 "Mesa's, may then read 16 bits, with the same effect. These pictures are by Mesa's desktop OpenGL, which "
+                 "reads 32 bits.",
         "fits": True,
     },
     "playcanvas": {

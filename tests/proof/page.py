@@ -13,7 +13,7 @@ HEAD = """# Proof in real engines
 This page compares shadows of real engines with those of the program, under the engine's [profile](profiles.md).
 `scripts/prove_engines.sh` draws, compares and writes it.
 
-Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. The program draws them with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same box of the light. Both write a mask, a picture of light and shadow, and the two masks are compared.
+Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. The program draws them with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same box of the light. Both write a mask (a picture of light and shadow). The two masks are compared.
 
 | criterion | bound |
 |---|---|
@@ -27,8 +27,8 @@ Before conversion, scenes have a constant bias of {constant:g} texels and a norm
 """
 
 LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. Red is dark in the engine "
-          "alone, and blue in the program alone. Pale blue is not compared. In the difference the zone around edges is "
-          "darker than the interior.")
+          "alone, and blue in the program alone. Pale blue is not compared. In the difference, pixels near edges are "
+          "darker than interior pixels.")
 
 
 def percent(share, digits=2):

@@ -78,7 +78,7 @@ TEST(ImportedPanel, TheEnginesBiasIsEntered) {
     EXPECT_FALSE(ui.find("imported", "bias.constant", "##value"));
     ui.click(ui.find("imported", "map.bundle_bias", "##value"));
     ui.frames(2);
-    ui.click(ui.find_choice(index_of(BundleBiasSource::Entered), "entered here"));
+    ui.click(ui.find_choice(index_of(BundleBiasSource::Entered), "entered by hand"));
     EXPECT_EQ(ui.state.settings.map.bundle_bias, BundleBiasSource::Entered);
     ui.frames(2);
     EXPECT_FALSE(ui.prints("The engine's bias is unknown"));

@@ -144,7 +144,7 @@ void draw_bias(Settings& settings, EngineBias bias) {
             labelled_widget(settings, key, em * 8);
     if (bias == EngineBias::Unknown)
         coloured_wrapped(
-            "The engine's bias is unknown: no verdict speaks of the engine's pixel. Choose \"entered here\" and set "
+            "The engine's bias is unknown: no verdict speaks of the engine's pixel. Choose \"entered by hand\" and set "
             "it.",
             theme::warning());
     if (bias == EngineBias::Changed)
