@@ -30,7 +30,7 @@ constexpr Choice kNearFar[] = {
     {"scene", "whole scene", "From the first to the last object of the scene, also beyond the map's sides."},
     {"pancaking", "first to last receiver",
      "From the first receiver, with room for the bias. Casters before it are drawn flat on the near plane (pancaking). "
-     "Depth steps are the finest. The distance first caster to last receiver is lost, so penumbrae that depend on it "
+     "Depth steps are the finest. The distance from caster to receiver is lost, so penumbrae that depend on it "
      "(PCSS) are too narrow."},
 };
 
