@@ -29,7 +29,7 @@ double greatest_depth(const LightView& view, const SurfacePoint& p, double own) 
     if (!p.corners_ws) return own;
     double greatest = 0;
     for (const glm::dvec3& corner : *p.corners_ws) {
-        const glm::dvec4 clip = view.clip_from_relative(corner) * glm::dvec4(0, 0, 0, 1);
+        const glm::dvec4 clip = view.clip_position(corner);
         const DepthConvention& convention = view.curve.convention;
         const bool cut = view.curve.perspective && clip.w <= view.curve.near;
         const double depth = cut ? 1 - convention.far_depth() : uvd_from_ndc(convention, glm::dvec3(clip) / clip.w).z;

@@ -27,7 +27,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.blend = chosen.share;
     const LightView& view = light.views[r.view];
     const auto to_unit = [&](const glm::dvec3& ndc) { return uvd_from_ndc(view.curve.convention, ndc); };
-    r.clip = view.clip_from_relative(position_ws) * glm::dvec4(0, 0, 0, 1);
+    r.clip = view.clip_position(position_ws);
     const double w = r.clip.w;
     r.ndc = glm::dvec3(r.clip) / w;
     r.uvd = to_unit(r.ndc);
@@ -39,7 +39,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.normal_offset_m =
         bias_of_stage(BiasStage::LookUp)
             .amount(bias, {.curve = r.curve, .texel_m = r.texel_m, .n_dot_l = glm::dot(bias_normal, r.to_light)});
-    const glm::dvec4 moved = view.clip_from_relative(position_ws + r.normal_offset_ws) * glm::dvec4(0, 0, 0, 1);
+    const glm::dvec4 moved = view.clip_position(position_ws + r.normal_offset_ws);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);
     r.tap_m = std::max(view.curve.perspective ? moved.w : 1.0, 1e-3 * view.curve.near);
     r.compared = r.tap.z;

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the map coordinates of a point in a parallel view.
 glm::dvec2 coordinates(const LightView& view, const glm::dvec3& point_ws) {
-    const glm::dvec4 h = view.clip_from_relative(point_ws)[3];
+    const glm::dvec4 h = view.clip_position(point_ws);
     return 0.5 * glm::dvec2(h) / h.w + 0.5;
 }
 
@@ -58,6 +58,12 @@ void LightView::update_depth() {
 
 glm::dmat4 LightView::clip_from_relative(const glm::dvec3& origin) const {
     return si::clip_from_relative(projection, axes, eye, origin);
+}
+
+glm::dvec4 LightView::clip_position(const glm::dvec3& point_ws) const {
+    const glm::dvec3 p = glm::transpose(axes) * (point_ws - eye);
+    // In the order of a product of matrices, so that both round alike.
+    return projection[0] * p.x + projection[1] * p.y + projection[2] * p.z + projection[3];
 }
 
 CrossSection LightView::cross_section() const {
@@ -140,7 +146,7 @@ DepthCurve LightView::ray_depth_curve(const glm::dvec3& point_ws) const {
 
 double LightView::relative_dw_per_m(const glm::dvec3& point_ws) const {
     if (!warped()) return 0;
-    return std::hypot(projection[0][3], projection[1][3]) / std::abs(clip_from_relative(point_ws)[3][3]);
+    return std::hypot(projection[0][3], projection[1][3]) / std::abs(clip_position(point_ws).w);
 }
 
 }  // namespace si

@@ -54,6 +54,8 @@ struct LightView {
     /// precision.
     /// @param origin world
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
+    /// Returns a world-space position in the light view's clip space. Equals the last column of clip_from_relative().
+    glm::dvec4 clip_position(const glm::dvec3& point_ws) const;
     /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
     /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.
     bool warped() const { return curve.warp.has_value(); }

@@ -20,7 +20,7 @@ std::size_t face_of(const glm::dvec3& d) {
 
 /// Returns max(|u|, |v|) of a point from a map's centre; infinite outside the near and far planes. For parallel rays.
 double from_centre(const LightView& view, const glm::dvec3& point_ws) {
-    const glm::dvec4 h = uvd_from_clip(view.curve.convention) * view.clip_from_relative(point_ws)[3];
+    const glm::dvec4 h = uvd_from_clip(view.curve.convention) * view.clip_position(point_ws);
     if (!(h.w > 0 && h.z >= 0 && h.z <= h.w)) return std::numeric_limits<double>::infinity();
     return std::max(std::abs(h.x / h.w - 0.5), std::abs(h.y / h.w - 0.5));
 }

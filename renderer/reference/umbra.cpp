@@ -31,7 +31,7 @@ std::optional<Points> points_around(const Receiver& r, const FittedLight& light,
     points.fill(r.position_ws);
     if (light.views.empty()) return points;
     const LightView& view = coarser_view(light, r.position_ws, size);
-    const glm::dvec4 clip = view.clip_from_relative(r.position_ws) * glm::dvec4(0, 0, 0, 1);
+    const glm::dvec4 clip = view.clip_position(r.position_ws);
     const glm::dvec2 at = uvd_from_ndc(view.curve.convention, glm::dvec3(clip) / clip.w);
     const glm::dvec2 reach = reach_texels / size.texels();
     std::size_t i = 0;

@@ -196,6 +196,7 @@ TEST(WarpedFit, TexelSizesAndDepthsMatchTheMatrix) {
                 EXPECT_NEAR(back.x, uv.x, 1e-10);
                 EXPECT_NEAR(back.y, uv.y, 1e-10);
                 EXPECT_NEAR(back.z, row.depth(z), 1e-10);
+                EXPECT_EQ(view.clip_position(p), view.clip_from_relative(p)[3]);
                 EXPECT_NEAR(view.ray_depth_curve(p).distance(back.z), z, 1e-6);
                 EXPECT_NEAR(glm::dot(view.eye - p, view.axes[2]), z, 1e-9);
                 // Returns the longest and the shortest step across the rays that moves the place by a texel, in turns.
