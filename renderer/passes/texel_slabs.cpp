@@ -25,8 +25,12 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
         return z;
     }
     const double z = curve.distance(stored);
-    if (bias.unit == BiasUnit::Texels) return z + c * view.texel_size_at(view.position_ws(uv, z), size).longest;
-    return curve.perspective ? 0.5 * z * (1 + std::sqrt(1 + 4 * c / z)) : z + c;
+    if (bias.unit == BiasUnit::Metres) return z + c;
+    const double moved_m = c * view.texel_size_at(view.position_ws(uv, z), size).longest;
+    if (!curve.perspective) return z + moved_m;
+    // A texel grows with the distance, so its share of the distance is that of the point to be found.
+    const double share = moved_m / z;
+    return share < 1 ? std::optional(z / (1 - share)) : std::nullopt;
 }
 
 std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, MapSize size,

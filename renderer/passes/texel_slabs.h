@@ -30,12 +30,11 @@ struct TexelSlab {
 };
 
 /// Returns the distance along the light's axis, metres, at which a fragment compares equal to a shadow map texel under
-/// bias.constant. Used for the quads that show texels in the scene (view.slabs). The distance is the z with
-/// depth(z) - b(z) = stored (+ b under reversed depth). Of a bias in metres or texels, b(z) is taken to first order:
-/// its length times |d depth / d z|. With z0 the stored distance and c the constant, by its unit:
+/// bias.constant. Used for the quads that show texels in the scene (view.slabs). From this distance the bias moves the
+/// fragment to the stored depth. With z0 the stored distance and c the constant, the distance is, by the bias's unit:
 ///   depth:  distance(stored + c), under reversed depth distance(stored - c)
-///   metres: z0 + c in an orthographic view, z0/2 (1 + sqrt(1 + 4 c / z0)) in perspective
-///   texels: z0 + c texel(z0), with texel(z0) the size of a texel at z0; a texel grows with z in perspective
+///   metres: z0 + c
+///   texels: z0 + c t, with t the size of a texel at z0; in perspective z0 / (1 - c t / z0), as texels grow with z
 /// @param stored depth that the texel holds
 /// @param uv map coordinates of the texel; matter for warped views only
 /// @return nullopt when no fragment compares equal

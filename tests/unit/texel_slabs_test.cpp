@@ -52,11 +52,12 @@ TEST(TexelSlabs, LieAtTheirStoredDepthOnTheirTexel) {
     }
 }
 
-/// Returns the bias, in depth, that receiver.glsl subtracts at distance z.
-double bias_of_stage(const LightView& view, const BiasSettings& bias, double z) {
-    const double per_m = view.curve.slope(z);
-    if (bias.unit == BiasUnit::Texels) return bias.constant * view.texel_size(z, kTexels) * per_m;
-    return bias.unit == BiasUnit::Metres ? bias.constant * per_m : bias.constant;
+/// Returns the depth that is compared for a point at distance z: that of the point moved towards the light by the bias.
+double compared_depth(const LightView& view, const BiasSettings& bias, double z) {
+    const double sign = view.curve.convention.reversed ? -1 : 1;
+    if (bias.unit == BiasUnit::Depth) return view.curve.depth(z) - sign * bias.constant;
+    const double metres = bias.unit == BiasUnit::Texels ? view.texel_size(z, kTexels) : 1;
+    return view.curve.depth(z - bias.constant * metres);
 }
 
 TEST(TexelSlabs, BiasedSlabsLieAtEqualComparedDepth) {
@@ -70,8 +71,7 @@ TEST(TexelSlabs, BiasedSlabsLieAtEqualComparedDepth) {
                 const auto z = compared_distance(view, bias, kTexels, stored, {0.5, 0.5});
                 ASSERT_TRUE(z);
                 EXPECT_GT(*z, view.curve.distance(stored)) << "away from the light";
-                const double b = bias_of_stage(view, bias, *z), sign = view.curve.convention.reversed ? -1 : 1;
-                EXPECT_NEAR(view.curve.depth(*z) - sign * b, stored, 1e-9) << int(unit);
+                EXPECT_NEAR(compared_depth(view, bias, *z), stored, 1e-9) << int(unit);
             }
             const auto both = texel_slabs(view, bias, kTexels, {{3, 4}, {1, 1}}, {0.5f}, Slabs::Both);
             ASSERT_EQ(both.size(), 2u);
@@ -91,6 +91,10 @@ TEST(TexelSlabs, InfiniteDepthHasNoSlab) {
     EXPECT_TRUE(compared_distance(view, bias, kTexels, 0.5, {0.5, 0.5}));
     EXPECT_FALSE(compared_distance(view, bias, kTexels, 0.7, {0.5, 0.5}));
     EXPECT_TRUE(texel_slabs(view, bias, kTexels, {{0, 0}, {1, 1}}, {0.7f}, Slabs::Biased).empty());
+    view.set_half_extents({1, 1});
+    bias.unit = BiasUnit::Texels;
+    bias.constant = kTexels;  // a texel is 2 / kTexels of the distance wide: the bias moves every point past the light
+    EXPECT_FALSE(compared_distance(view, bias, kTexels, 0.5, {0.5, 0.5}));
 }
 
 TEST(TexelSlabs, RegionIsCentredAndClippedToTheMap) {
