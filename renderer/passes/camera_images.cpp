@@ -130,7 +130,9 @@ void VisibleSurfacesPass::declare(FrameState& f) {
     // The image of the shading normal exists even where the normal has no effect.
     const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;
     const std::size_t count = bias_of(f.settings).by_derivatives ? 5 : own_normal ? 3 : 2;
-    const Key surfaces = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen);
+    // The normal's source counts without effect, too: a change of the bias may give it an effect on the same images.
+    Key surfaces = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen);
+    surfaces.add(f.settings.bias.normal_source);
     const auto key_of = [&](std::size_t images) { return Key(surfaces).add(images).value(); };
     // Images of the same surfaces that another bias has read contain those that this one reads.
     const bool has_more = !f.request.force && drawn_ > count && images_[0].key == key_of(drawn_);

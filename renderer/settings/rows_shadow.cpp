@@ -394,7 +394,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.normal_source), .label = "Normal", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .also = "shadow terminator, smooth normals",
-     .shader = true, .read_by = ReadBy::SurfacesSeen},
+     .shader = true},
     {SI_FIELD(bias.raster_slope), .label = "Polygon offset factor", .unit = "x depth slope", .min = -100, .max = 100,
      SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "

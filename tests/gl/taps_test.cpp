@@ -356,5 +356,22 @@ TEST_F(TapsTest, ImagesOfTheSurfacesAreKeptForABiasThatReadsFewer) {
     EXPECT_EQ(surfaces(plain), PassState::Drawn);
 }
 
+/// A bias without normal offset leaves the normal's source without effect, but reads the same images as others.
+TEST_F(TapsTest, ImagesOfTheSurfacesAreKeptWhereTheNormalHasNoEffect) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    const FrameRequest request{.width = 48, .height = 32, .outputs = {.colour = false, .texels_read = true}};
+    Settings s = test::texel_settings("pcf3", 96, 0.7);
+    set_setting(s, "bias.kind", "constant");
+    s.bias.normal = 0;
+    const auto surfaces = [&] { return renderer.render(scene, s, request).pass("visible surfaces")->state; };
+    EXPECT_EQ(surfaces(), PassState::Drawn);
+    s.bias.normal = 2;
+    EXPECT_EQ(surfaces(), PassState::Cached) << "the normal's source has an effect now";
+    s.bias.normal = 0;
+    EXPECT_EQ(surfaces(), PassState::Cached);
+    set_setting(s, "bias.normal_source", "shading");
+    EXPECT_EQ(surfaces(), PassState::Drawn) << "one more image";
+}
+
 }  // namespace
 }  // namespace si
