@@ -101,21 +101,10 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
-std::size_t count_lit_receivers(const MeasuredError& measured) {
-    std::size_t lit = 0;
-    each_lit_receiver(measured, [&](std::size_t, const Receiver&) { ++lit; });
-    return lit;
-}
-
-/// Returns an even sample of the receivers of each_lit_receiver(), `most` at most.
-/// @param lit number of those receivers
-std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured, std::size_t lit, std::size_t most) {
-    const std::size_t stride = lit / most + 1;
+/// Returns an even sample of receivers, `most` at most.
+std::vector<const Receiver*> even_sample(const std::vector<const Receiver*>& all, std::size_t most) {
     std::vector<const Receiver*> sample;
-    std::size_t at = 0;
-    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
-        if (at++ % stride == 0) sample.push_back(&r);
-    });
+    for (std::size_t i = 0; i < all.size(); i += all.size() / most + 1) sample.push_back(all[i]);
     return sample;
 }
 
@@ -176,7 +165,9 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 }  // namespace
 
 bool has_lit_receivers(const MeasuredError& measured) {
-    return count_lit_receivers(measured) > 0;
+    bool any = false;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver&) { any = true; });
+    return any;
 }
 
 double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws) {
@@ -231,8 +222,10 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     BiasNeeds out;
     if (!measured.lights[std::size_t(measured.light)].casts) return out;
     const MeasuredBias bias(measured, settings, driver);
+    std::vector<const Receiver*> lit;
+    lit.reserve(measured.classified.size());
     each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
-        ++out.pixels;
+        lit.push_back(&r);
         const ClassifiedPixel& pixel = measured.classified[i];
         if (!pixel.has(ClassifiedPixel::kAnyAcne) || pixel.visibility < 0.5f) return;
         const BiasBreakdown a = bias.breakdown(r);
@@ -240,7 +233,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
     });
     std::vector<double> gaps, shifts;
-    for (const Receiver* r : sampled_receivers(measured, out.pixels, kGapSample)) {
+    out.pixels = lit.size();
+    for (const Receiver* r : even_sample(lit, kGapSample)) {
         const BiasBreakdown a = bias.breakdown(*r);
         if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());
@@ -260,7 +254,9 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
     const MeasuredBias without(measured, least, driver);
-    const std::vector<const Receiver*> receivers = sampled_receivers(measured, count_lit_receivers(measured), kSample);
+    std::vector<const Receiver*> lit;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) { lit.push_back(&r); });
+    const std::vector<const Receiver*> receivers = even_sample(lit, kSample);
     if (std::ranges::find(row.settings, "bias.slope") != row.settings.end()) {
         std::vector<Need> needs;
         for (const Receiver* r : receivers) {

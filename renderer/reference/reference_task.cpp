@@ -69,7 +69,7 @@ auto timed(double& ms, Make&& make) {
 
 }  // namespace
 
-FloatImage subsample(const FloatImage& image, int step) {
+FloatImage subsample(FloatImage image, int step) {
     if (step <= 1) return image;
     FloatImage out{(image.width + step - 1) / step, (image.height + step - 1) / step, image.channels, {}};
     out.data.reserve(std::size_t(out.width) * std::size_t(out.height) * std::size_t(out.channels));

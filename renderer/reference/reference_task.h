@@ -38,7 +38,7 @@ std::uint64_t reference_key(const Scene& scene, const Settings& settings, const 
                             const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options);
 
 /// Returns every `step`-th pixel of an image, across and down, from the top left.
-FloatImage subsample(const FloatImage& image, int step);
+FloatImage subsample(FloatImage image, int step);
 
 /// Collects the input for tracing the reference of one light in a drawn frame. Triangles are shared with the scene, or
 /// with a hierarchy in ray_scenes(), not copied.
