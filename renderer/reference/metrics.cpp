@@ -14,14 +14,17 @@ namespace si {
 namespace {
 
 /// Returns the pixels on either side of a change between lit and dark on one surface.
-template <typename Dark>
-std::vector<std::uint8_t> contour(const Reference& reference, const Receivers* receivers, Dark&& dark) {
+/// @param visibility_of returns the visibility of a pixel by its index
+template <typename VisibilityOf>
+std::vector<std::uint8_t> contour(const Reference& reference, const Receivers* receivers,
+                                  VisibilityOf&& visibility_of) {
     const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
-    std::vector<std::uint8_t> out(w * h, 0);
+    std::vector<std::uint8_t> out(w * h, 0), dark(w * h);
+    for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = visibility_of(i) < 0.5f;
     const auto counts = [&](std::size_t i) { return reference.state[i] == PixelState::Counted; };
     // Few neighbours differ, so that is compared first.
     const auto step = [&](std::size_t i, std::size_t k, bool Receiver::*same_surface) {
-        if (dark(i) == dark(k) || !counts(i) || !counts(k)) return;
+        if (dark[i] == dark[k] || !counts(i) || !counts(k)) return;
         if (!receivers || receivers->pixels[i].*same_surface) out[i] = out[k] = 1;
     };
     for (std::size_t y = 0; y < h; ++y)
@@ -466,8 +469,8 @@ ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const
         sums.within_noise += p.has(J::kWithinNoise);
     }
     ErrorMetrics m = metrics_of(sums, reference);
-    const auto drawn = contour(reference, receivers, [&](std::size_t i) { return classified[i].visibility < 0.5f; });
-    const auto real = contour(reference, receivers, [&](std::size_t i) { return reference.visibility.data[i] < 0.5f; });
+    const auto drawn = contour(reference, receivers, [&](std::size_t i) { return classified[i].visibility; });
+    const auto real = contour(reference, receivers, [&](std::size_t i) { return reference.visibility.data[i]; });
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = 0;
     contour_distances(m, drawn, real, reference.width, reference.height, reference.step);
     return m;
