@@ -184,28 +184,40 @@ bool takes_too_many_bytes(std::uint64_t before, std::uint64_t with, double most 
     return before > 0 && double(with) > most * double(before);
 }
 
-/// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
-std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
-    if (t.pixel && (!t.pixel->right || std::abs(t.pixel->visibility - t.pixel->reference) > kRightVisibilityError))
-        return fmt::format("this pixel stays wrong: visibility {:.2f} instead of {:.2f}", t.pixel->visibility,
-                           t.pixel->reference);
+/// Returns true when an amount rises by more than a tolerance.
+bool rises(double was, double is, double tolerance) {
+    return is > was + tolerance + 1e-12;
+}
+
+/// Returns the reason why a change is no fix by what is known without causes: the watched pixel, the wrong pixels and
+/// the mean error. Empty: it may be one.
+/// @param noise noise of the reference's pixels; NaN: unknown
+std::string why_no_better(const ErrorMetrics& before, const ErrorMetrics& with, const std::optional<PixelTrial>& pixel,
+                          double noise) {
+    if (pixel && (!pixel->right || std::abs(pixel->visibility - pixel->reference) > kRightVisibilityError))
+        return fmt::format("this pixel stays wrong: visibility {:.2f} instead of {:.2f}", pixel->visibility,
+                           pixel->reference);
     const double n = std::max<double>(double(before.counted), 1);
     const double noise_px = before.within_noise * n;  // 0 for a light without size
-    const double noise = std::isfinite(t.before.noise) ? t.before.noise / std::sqrt(n) : 0;
-    const auto rises = [](double was, double is, double tolerance) { return is > was + tolerance + 1e-12; };
-    const std::size_t wrong = wrong_pixels(before), now = wrong_pixels(t.metrics);
+    const double mean_noise = std::isfinite(noise) ? noise / std::sqrt(n) : 0;
+    const std::size_t wrong = wrong_pixels(before), now = wrong_pixels(with);
     if (rises(double(wrong), double(now), std::sqrt(noise_px)))
         return fmt::format("wrong pixels rise from {} to {}", wrong, now);
-    if (rises(before.mae, t.metrics.mae, noise))
-        return fmt::format("the mean error rises from {:.4g} to {:.4g}", before.mae, t.metrics.mae);
-    const auto pixels = [&](double share) { return std::llround(share * n); };
+    if (rises(before.mae, with.mae, mean_noise))
+        return fmt::format("the mean error rises from {:.4g} to {:.4g}", before.mae, with.mae);
+    return pixel || with.mae < before.mae - mean_noise ? "" : "the mean error does not fall";
+}
+
+/// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
+std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
+    if (std::string why = why_no_better(before, t.metrics, t.pixel, t.before.noise); !why.empty()) return why;
+    const auto pixels = [&](double share) { return std::llround(share * std::max<double>(double(before.counted), 1)); };
     if (rises(before.any_acne, t.metrics.any_acne, 0))
         return fmt::format("pixels with any acne rise from {} to {}", pixels(before.any_acne),
                            pixels(t.metrics.any_acne));
     if (rises(before.any_leak, t.metrics.any_leak, 0))
         return fmt::format("pixels with any leak rise from {} to {}", pixels(before.any_leak),
                            pixels(t.metrics.any_leak));
-    if (!t.pixel && !(t.metrics.mae < before.mae - noise)) return "the mean error does not fall";
     const auto same_source = [&](const auto& change) { return !change.first.ends_with(".source"); };
     if (!std::ranges::all_of(t.changes, same_source)) return "light.source would change";
     if (takes_too_many_bytes(t.before.work.map_bytes, t.after.work.map_bytes))
@@ -499,14 +511,18 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
         pixel = std::size_t(options.pixel->y) * std::size_t(before.frame->traced.reference->width) +
                 std::size_t(options.pixel->x);
     }
+    const NeedsCauses needs_causes = [&](const MeasuredError& compared) {
+        const std::optional<PixelTrial> watched = pixel ? std::optional(pixel_trial(compared, *pixel)) : std::nullopt;
+        return why_no_better(error, compared.metrics, watched, before.noise).empty();
+    };
     std::optional<OwnMap> own_map;
     std::size_t tried = 0;
     table.stopped = !try_each(std::move(list), report, [&](Candidate& c) {
         if (c.untried.empty()) c.untried = search.why_too_large(c, before.work.map_bytes);
-        Trial t = try_candidate(base, before, c, meter, pixel);
+        Trial t = try_candidate(base, before, c, meter, pixel, needs_causes);
         if (own && t.candidate.untried == kNeedsAnotherMap) {
             if (!own_map) own_map = own();
-            t = try_on_own_map(base, before, *own_map, std::move(c), meter, pixel);
+            t = try_on_own_map(base, before, *own_map, std::move(c), meter, pixel, needs_causes);
         }
         const OwnMap* const drawn_on = t.on_own_map ? &*own_map : nullptr;
         search.add(std::move(t), error, drawn_on);

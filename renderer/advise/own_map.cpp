@@ -55,7 +55,7 @@ OwnMap own_map_of(const SearchTools& tools, const Settings& base, const Measured
 }
 
 Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const OwnMap& own, Candidate candidate,
-                     const TrialMeter& meter, std::optional<std::size_t> pixel) {
+                     const TrialMeter& meter, std::optional<std::size_t> pixel, const NeedsCauses& needs_causes) {
     const SettingChanges wanted = setting_changes(base, candidate.settings);
     const auto is_lost = [](const auto& change) {
         return acts_while_drawing(change.first) && !acts_on_redrawn_map(change.first);
@@ -73,7 +73,7 @@ Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const
         if (candidate.settings.map.resolution == base.map.resolution)
             candidate.settings.map.resolution = own.settings.map.resolution;
     }
-    Trial t = try_candidate(own.settings, own.before, std::move(candidate), meter, pixel);
+    Trial t = try_candidate(own.settings, own.before, std::move(candidate), meter, pixel, needs_causes);
     t.changes = setting_changes(base, t.candidate.settings);
     t.on_own_map = t.is_drawn();
     return t;

@@ -31,7 +31,9 @@ OwnMap own_map_of(const SearchTools& tools, const Settings& base, const Measured
 /// are those from `base`, so that they lead to what was drawn. Leaves it undrawn if own maps cannot show the change
 /// either, or if the watched pixel is wrong on only one of the imported and the own map.
 /// @param before measured under `base` @param pixel index of a pixel to watch, top row first
+/// @param needs_causes as in try_candidate()
 Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const OwnMap& own, Candidate candidate,
-                     const TrialMeter& meter, std::optional<std::size_t> pixel = {});
+                     const TrialMeter& meter, std::optional<std::size_t> pixel = {},
+                     const NeedsCauses& needs_causes = {});
 
 }  // namespace si

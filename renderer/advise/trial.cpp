@@ -92,7 +92,7 @@ std::string map_bytes_text(long long bytes) {
 }
 
 std::size_t wrong_pixels(const ErrorMetrics& error) {
-    return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
+    return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), error.without_cause);
 }
 
 bool Trial::helps() const {
@@ -115,14 +115,21 @@ std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* en
                          [&](const Candidate& c) { return !reason_engine_lacks(*engine, base, c.settings).empty(); });
 }
 
+PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel) {
+    const ClassifiedPixel& classified = with.classified[pixel];
+    return {classified.visibility, with.traced.reference->visibility.data[pixel], !classified.is_wrong()};
+}
+
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
-                    std::optional<std::size_t> pixel) {
+                    std::optional<std::size_t> pixel, const NeedsCauses& needs_causes) {
     Trial t{.candidate = std::move(candidate), .changes = {}, .before = before, .after = {}};
     t.changes = setting_changes(base, t.candidate.settings);
     t.before.frame.reset();
     if (t.is_drawn() && changes_given_map(before, t)) t.candidate.untried = kNeedsAnotherMap;
     if (!t.is_drawn()) return t;
-    t.after = meter.measure(t.candidate.settings, t.candidate.light);
+    t.after = needs_causes && meter.measure_in_steps
+                  ? meter.measure_in_steps(t.candidate.settings, t.candidate.light, needs_causes)
+                  : meter.measure(t.candidate.settings, t.candidate.light);
     const auto with = std::exchange(t.after.frame, nullptr), was = before.frame;
     if (before.camera.eye != t.after.camera.eye ||
         before.camera.clip_from_relative(before.camera.eye) != t.after.camera.clip_from_relative(t.after.camera.eye))
@@ -137,23 +144,21 @@ Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candid
     t.metrics = with->metrics;
     for (std::size_t i = 0; i < was->classified.size(); ++i) {
         const Artefact cause = was->classified[i].artefact;
-        const bool is_wrong = with->classified[i].artefact != Artefact::None;
+        const bool is_wrong = with->classified[i].is_wrong();
         if (cause != Artefact::None && !is_wrong) {
             ++t.cured;
             ++t.cured_of[std::size_t(cause)];
         }
         t.broken += cause == Artefact::None && is_wrong;
     }
-    if (pixel)
-        t.pixel = PixelTrial{with->classified[*pixel].visibility, with->traced.reference->visibility.data[*pixel],
-                             with->classified[*pixel].artefact == Artefact::None};
+    if (pixel) t.pixel = pixel_trial(*with, *pixel);
     return t;
 }
 
 TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options) {
     const FrameRequest request{.width = tools.width, .height = tools.height};
     TrialMeter meter;
-    meter.measure = [=](const Settings& s, int light) {
+    meter.measure_in_steps = [=](const Settings& s, int light, const NeedsCauses& needs_causes) {
         const auto& workers = tools.workers;
         if (workers.stop.stop_requested()) throw Cancelled();
         FrameRequest own = request;
@@ -161,12 +166,13 @@ TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& op
         const Metric& metric = *options.error;
         const auto m = std::make_shared<const MeasuredError>(
             measure_error(tools.renderer, tools.scene, s, own, light, options.reference.value_or(reference_options(s)),
-                          tools.cache, workers, metric.of_pictures));
+                          tools.cache, workers, metric.of_pictures, needs_causes));
         own.force = true;
         return MeasuredSettings{
             distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
             options.work ? work_cost(s, tools.renderer.render(tools.scene, s, own)) : map_cost(s, *m), m->camera, m};
     };
+    meter.measure = [measure = meter.measure_in_steps](const Settings& s, int light) { return measure(s, light, {}); };
     const auto timed = [=](const Settings& before, const Settings& with, std::optional<double> limit_ms) {
         const auto rounds = [&](const Settings& s) {
             const auto frames = std::make_shared<TimedFrames>(tools.renderer, tools.scene, s, request, options.cost,

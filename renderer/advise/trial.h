@@ -78,6 +78,9 @@ struct Candidate;
 struct TrialMeter {
     /// Draws a frame and measures the error of one light.
     std::function<MeasuredSettings(const Settings&, int light)> measure;
+    /// Measures as `measure` does, but finds causes of errors only where the last argument returns true for the
+    /// compared pixels (measure_error()). Null: `measure` is used.
+    std::function<MeasuredSettings(const Settings&, int light, const NeedsCauses&)> measure_in_steps = nullptr;
     /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that the second adds.
     std::function<CostChange(const Settings& before, const Settings& with)> time;
     /// Times as `time` does, and ends as soon as the change is surely below or above a limit. Null: `time` is used.
@@ -147,6 +150,9 @@ struct PixelTrial {
     bool right = true;  ///< no artefact
 };
 
+/// Returns the state of a watched pixel in a measured frame. @param pixel its index, top row first
+PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel);
+
 /// Result of trying a setting change: error, cost and numbers of cured and broken pixels, compared with the present
 /// settings.
 struct Trial {
@@ -157,9 +163,9 @@ struct Trial {
     std::size_t cured = 0;                           ///< number of wrong pixels that become right
     std::size_t broken = 0;                          ///< number of right pixels that become wrong
     std::array<std::size_t, kArtefacts> cured_of{};  ///< cured pixels by cause
-    ErrorMetrics metrics;                            ///< of the frame with the change
-    std::optional<PixelTrial> pixel;                 ///< watched pixel
-    std::string why_not;                             ///< reason why the rule rejects the trial; empty: accepted
+    ErrorMetrics metrics;             ///< of the frame with the change; without causes if they could not matter
+    std::optional<PixelTrial> pixel;  ///< watched pixel
+    std::string why_not;              ///< reason why the rule rejects the trial; empty: accepted
     /// The trial stands for an imported map: `before` and `after` are of maps that the program draws from the same
     /// light. See OwnMap.
     bool on_own_map = false;
@@ -212,7 +218,8 @@ inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 /// Draws a candidate and compares it with the present settings. A candidate that cannot be compared, such as one that
 /// moves the camera, gets Candidate::untried.
 /// @param before the present settings, with their frame @param pixel index of a pixel to watch, top row first
+/// @param needs_causes decides whether Trial::metrics need causes; empty: they do
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
-                    std::optional<std::size_t> pixel = {});
+                    std::optional<std::size_t> pixel = {}, const NeedsCauses& needs_causes = {});
 
 }  // namespace si

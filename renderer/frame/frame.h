@@ -44,6 +44,7 @@ struct Outputs {
     bool texels_read = false;      ///< texels of the shown map that kernels of any pixel fetch
     bool error = false;            ///< error metrics of view.light against FrameRequest::reference, which must be set
     bool classified = false;       ///< error class of each pixel; needs FrameRequest::reference
+    bool compared = false;         ///< as `classified`, without causes of errors
     bool precision = false;        ///< error of look-ups by single precision: FrameResult::precision
     bool evidence = false;         ///< CauseEvidence of every pixel; uses FrameRequest::reference if set
     bool unfiltered_map = false;   ///< unfiltered map is current, for trials of a probed pixel
@@ -225,7 +226,7 @@ struct FrameResult {
         texels_read;  ///< R32F, a value a texel of the map of view.light and view.face: 1 where some kernel fetches it
     Image surface_ids;                            ///< RG32UI, see SurfaceIds
     Image true_colour;                            ///< RGBA8, as `colour` without overlays
-    Image classified;                             ///< RG32F, see classified_pixels()
+    Image classified;                             ///< RG32F, see classified_pixels(); also by Outputs::compared
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< CauseContext::mask_levels of the evidence
     ReferenceNeed reference;

@@ -1,5 +1,7 @@
 #include "renderer/measure/measured_error.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "renderer/measure/axes.h"
@@ -21,6 +23,18 @@ void find_leaks(MeasuredError& measured, const Workers& workers) {
     const std::vector<std::uint8_t> in_umbra = umbra_of(measured.traced, measured.lights[std::size_t(measured.light)],
                                                         measured.map_size, measured.reach_texels, bright, workers);
     for (std::size_t k = 0; k < bright.size(); ++k) measured.classified[bright[k]].any_leak = in_umbra[k] != 0;
+}
+
+/// Computes the metrics of pixels that were compared, but whose causes were not looked for.
+void sum_without_causes(MeasuredError& measured) {
+    ErrorMetrics& m = measured.metrics;
+    m = error_metrics(measured.classified, *measured.traced.reference, measured.traced.receivers.get());
+    m.without_cause = std::size_t(std::ranges::count_if(measured.classified, &ClassifiedPixel::is_wrong));
+    for (const Metric& metric : metrics()) {
+        const bool of_some_causes = metric.causes != 0 && metric.causes != kAllCauses;
+        if (metric.member && of_some_causes) m.*metric.member = std::numeric_limits<double>::quiet_NaN();
+    }
+    m.any_acne = m.visible_acne = m.any_leak = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -60,14 +74,22 @@ PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Sett
 
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
                             const FrameRequest& request, int light, const ReferenceOptions& options,
-                            ReferenceCache& cache, const Workers& workers, bool of_pictures) {
+                            ReferenceCache& cache, const Workers& workers, bool of_pictures,
+                            const NeedsCauses& needs_causes) {
     Settings shown = settings;
     shown.view.light = light;
     ReferenceOptions wanted = options;
     wanted.nearest = true;  // distinguishes lost casters from peter-panning
     FrameRequest classified = request;
-    classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;
+    if (needs_causes) {
+        classified.outputs = {.colour = false, .compared = true};
+        const FrameResult frame = render_with_reference(renderer, scene, shown, classified, cache, workers, wanted);
+        MeasuredError out = read_classified_pixels(renderer, frame, *classified.reference, shown);
+        sum_without_causes(out);
+        if (!needs_causes(out)) return out;
+    }
+    classified.outputs = {.colour = false, .classified = true};
     const FrameResult frame = render_with_reference(renderer, scene, shown, classified, cache, workers, wanted);
     MeasuredError out = read_classified_pixels(renderer, frame, *classified.reference, shown);
     if (of_pictures) out.pictures = draw_picture_pair(renderer, scene, shown, classified);

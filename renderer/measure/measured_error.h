@@ -5,6 +5,8 @@
 //     measured.metrics.acne, measured.classified[y * width + x].artefact
 #pragma once
 
+#include <functional>
+
 #include "renderer/reference/metrics.h"
 #include "renderer/render/reference_frames.h"
 
@@ -31,14 +33,21 @@ struct MeasuredError {
     std::optional<PicturePair> pictures;  ///< pictures for Metric::of_pictures; released once these are computed
 };
 
+/// Decides from the compared pixels of a frame, without their causes, whether causes are needed.
+using NeedsCauses = std::function<bool(const MeasuredError& compared)>;
+
 /// Measures a light's shadow error in a frame: traces the reference unless `cache` has it, draws the frame, classifies
 /// its pixels and computes the metrics. Call on the renderer's thread.
 /// @param light index of light.*
 /// @param of_pictures true: also draws pictures and computes metrics of them (Metric::of_pictures)
+/// @param needs_causes asked once pixels are compared. If it returns false, no cause is looked for: wrong pixels keep
+/// Artefact::None, ErrorMetrics::without_cause counts them, and metrics that need causes or rays are NaN. Empty: causes
+/// are needed
 /// @throws Cancelled; Error when there is no such light, or as Renderer::render() does
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
                             const FrameRequest& request, int light, const ReferenceOptions& options,
-                            ReferenceCache& cache, const Workers& workers = {}, bool of_pictures = false);
+                            ReferenceCache& cache, const Workers& workers = {}, bool of_pictures = false,
+                            const NeedsCauses& needs_causes = {});
 
 /// Draws a frame twice: as it is, and with the reference's shadows for view.light. Metrics that compare pictures need
 /// both (Metric::of_pictures).

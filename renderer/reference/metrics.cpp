@@ -69,7 +69,6 @@ constexpr std::uint32_t causes(std::initializer_list<Artefact> list) {
     for (const Artefact a : list) bits |= 1u << int(a);
     return bits;
 }
-constexpr std::uint32_t kAnyCause = (1u << kArtefacts) - 1;
 // Causes that no change of bias or offset makes right.
 constexpr std::uint32_t kAtEdges =
     causes({Artefact::EdgeAliasing, Artefact::Undersampled, Artefact::Penumbra, Artefact::Filter, Artefact::NoMap});
@@ -113,14 +112,14 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "#{R >= 1/2 and V < 1/2, wrong} / n",
      .member = &M::false_shadow,
      .counts = Counts::Dark,
-     .causes = kAnyCause},
+     .causes = kAllCauses},
     {.key = "false_light",
      .label = "False light",
      .help = "In shadow in the reference, bright in the picture: the sum of its causes.",
      .formula = "#{R < 1/2 and V >= 1/2, wrong} / n",
      .member = &M::false_light,
      .counts = Counts::Bright,
-     .causes = kAnyCause},
+     .causes = kAllCauses},
     {.key = "acne",
      .label = "Acne",
      .help = "False shadow that more bias puts right: surfaces that shadow themselves.",

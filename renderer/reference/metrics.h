@@ -37,6 +37,8 @@ struct ClassifiedPixel {
     std::uint32_t also() const { return bits >> kAlsoShift; }
     /// Returns true when the classified pixel has flag `b`.
     bool has(Bits b) const { return (bits & b) != 0; }
+    /// Returns true for a pixel in false shadow or false light, whether or not its cause is known.
+    bool is_wrong() const { return has(kFalseShadow) || has(kFalseLight); }
 };
 
 /// Compares the visibility of a counted pixel (PixelState::Counted) with the reference. Returns flags of the
@@ -67,6 +69,7 @@ struct ErrorMetrics {
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
     std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
+    std::size_t without_cause = 0;                    ///< wrong pixels whose causes were not looked for
 };
 
 /// Direction in which the value of an error metric improves.
@@ -99,7 +102,7 @@ struct Metric {
     /// both.
     enum class Counts { Otherwise, Dark, Bright, Wrong };
     Counts counts = Counts::Otherwise;
-    std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause
+    std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause; see kAllCauses
     bool rare = false;         ///< shown to people only when not 0
     bool cpu_only = false;     ///< needs rays or contours, which the GPU's sums cannot provide: NaN in LiveError
     bool of_pictures = false;  ///< compares pictures, see MeasuredError::pictures: NaN where none were drawn
@@ -107,6 +110,9 @@ struct Metric {
     /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;
 };
+
+/// Metric::causes of metrics that count wrong pixels of any cause, or of none.
+inline constexpr std::uint32_t kAllCauses = (1u << kArtefacts) - 1;
 
 /// Returns the table of error metrics; the first is the default of searches and plots.
 std::span<const Metric> metrics();

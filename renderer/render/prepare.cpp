@@ -400,7 +400,7 @@ void choose_kernel(FrameState& f) {
 /// Finds the ray-traced reference that the frame needs, and whether the request has it.
 void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
-    bool asked = o.error || o.true_colour || o.classified || o.evidence;
+    bool asked = o.error || o.true_colour || o.classified || o.compared || o.evidence;
     if (o.colour || o.overlay) asked |= any_pane_shows(f.settings.view, &Overlay::reads_reference);
     if (!asked) return;
     const int light = f.settings.view.light;
@@ -514,7 +514,8 @@ std::string why_separate_visibility(const FrameState& f) {
         if (const Overlay* row = pane.row();
             row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour))
             return fmt::format("overlay {} reads it", row->key);
-    if (f.reference.met && (o.error || o.classified || o.true_colour)) return "it is compared with the reference";
+    if (f.reference.met && (o.error || o.classified || o.compared || o.true_colour))
+        return "it is compared with the reference";
     const bool requested = o.visibility || o.health || f.request.forced.contains(Optimisation::FusedVisibility);
     return requested ? "it is requested" : "";
 }

@@ -65,6 +65,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
     if (o.classified) wanted.push_back(Result::Classified);
+    if (o.compared) wanted.push_back(Result::Compared);
     if (o.unfiltered_map) {
         wanted.push_back(Result::UnfilteredMap);
         for (const ResultRef& read : kernel_inputs(f)) wanted.push_back(read);
@@ -93,7 +94,7 @@ void Renderer::set_number_watcher(NumberWatcher watch) {
 
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     const Outputs& o = request.outputs;
-    const bool of_picture = o.colour || o.overlay || o.visibility || o.error || o.classified;
+    const bool of_picture = o.colour || o.overlay || o.visibility || o.error || o.classified || o.compared;
     if (!impl_->watch || request.timing || !of_picture) return impl_->render(scene, settings, request);
     FrameRequest searched = request;
     searched.outputs.health = true;

@@ -80,6 +80,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
         result.mask_levels = f.mask_levels;
     }
     put(Result::Smooth, result.smooth);
+    put(Result::Compared, result.classified);
     put(Result::Classified, result.classified);
     put(Result::ReferenceLitPicture, result.true_colour);
     put(Result::SurfaceIds, result.surface_ids);

@@ -2,7 +2,11 @@
 // fault.
 #include "renderer/advise/fixes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
@@ -54,6 +58,7 @@ protected:
             EXPECT_EQ(row.broken, broken);
             EXPECT_EQ(row.cured, of);
             EXPECT_EQ(row.metrics.mae, after.metrics.mae);
+            EXPECT_EQ(wrong_pixels(row.metrics), wrong_pixels(after.metrics));
             if (row.why_not.empty()) expect_nothing_worse(before.metrics, after.metrics);
         }
         const Trial* const fix = table.fix();
@@ -97,6 +102,42 @@ TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
 }
 
 SI_TEST_IS(Slow, FixesTest, ASmallerNormalOffsetRemovesItsStrip);
+TEST_F(FixesTest, CausesAreFoundOnlyOfChangesThatMayBeFixes) {
+    const Scene scene = test::wall_on_plane();
+    const Settings s = test::low_sun_settings("pcf3", 512, 11);
+    const auto with_constant = [&](double texels) {
+        Candidate c{.name = fmt::format("{:g}", texels), .settings = s};
+        c.settings.bias.constant = texels;
+        return c;
+    };
+    const std::vector<Candidate> list{with_constant(40), with_constant(3)};
+    TrialMeter meter = renderer_trial_meter(tools(scene), {.work = false});
+    meter.time = [](const Settings&, const Settings&) { return CostChange{}; };
+    meter.time_to_limit = nullptr;
+    const MeasuredSettings before = meter.measure(s, 0);
+    const FixTable table = search_fixes(s, before, list, meter, {});
+    const Trial *const more = row(table, "40"), *const less = row(table, "3");
+    ASSERT_TRUE(more && less);
+    EXPECT_EQ(more->why_not.rfind("wrong pixels rise", 0), 0u) << more->why_not;
+    EXPECT_EQ(more->metrics.without_cause, wrong_pixels(more->metrics));
+    EXPECT_TRUE(std::isnan(more->metrics.any_acne) && std::isnan(more->metrics.any_leak));
+    EXPECT_EQ(less->why_not, "");
+    EXPECT_EQ(less->metrics.without_cause, 0u);
+    EXPECT_FALSE(std::isnan(less->metrics.any_acne) || std::isnan(less->metrics.any_leak));
+    meter.measure_in_steps = nullptr;
+    const FixTable all = search_fixes(s, before, list, meter, {});
+    ASSERT_EQ(all.rows.size(), table.rows.size());
+    for (std::size_t i = 0; i < all.rows.size(); ++i) {
+        const Trial &a = all.rows[i], &b = table.rows[i];
+        EXPECT_EQ(a.candidate.name, b.candidate.name);
+        EXPECT_EQ(a.why_not, b.why_not);
+        EXPECT_EQ(std::tuple(a.cured, a.broken, a.cured_of), std::tuple(b.cured, b.broken, b.cured_of));
+        EXPECT_EQ(wrong_pixels(a.metrics), wrong_pixels(b.metrics));
+        EXPECT_EQ(a.metrics.mae, b.metrics.mae);
+        EXPECT_FALSE(std::isnan(a.metrics.any_acne));
+    }
+}
+
 TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;

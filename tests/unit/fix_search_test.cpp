@@ -68,7 +68,10 @@ private:
         auto frame = std::make_shared<MeasuredError>();
         frame->traced.reference = reference_;
         frame->classified.resize(kPixels);
-        for (std::size_t i = 0; i < e.wrong; ++i) frame->classified[i].artefact = Artefact::Acne;
+        for (std::size_t i = 0; i < e.wrong; ++i) {
+            frame->classified[i].artefact = Artefact::Acne;
+            frame->classified[i].bits = ClassifiedPixel::kFalseShadow;
+        }
         frame->metrics.counted = kPixels;
         frame->metrics.artefacts[std::size_t(Artefact::Acne)] = e.wrong;
         frame->metrics.mae = double(e.wrong) / kPixels;
