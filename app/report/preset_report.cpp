@@ -8,6 +8,7 @@
 #include "app/report/diagnosed_lights.h"
 #include "app/report/picture_comparison.h"
 #include "app/report/section_svg.h"
+#include "renderer/advise/fixes.h"
 #include "renderer/inspect/section.h"
 #include "renderer/measure/artefact_clusters.h"
 #include "renderer/measure/axes.h"
@@ -45,9 +46,13 @@ public:
         : renderer_(renderer),
           scene_(scene),
           settings_(measured_settings(settings)),
-          request_{.width = size.x, .height = size.y} {
-        ReferenceCache cache;
-        trace_sources(renderer, scene, settings_, request_, cache, workers);
+          request_{.width = size.x, .height = size.y},
+          meter_(renderer_trial_meter({renderer, scene, size.x, size.y, cache_, workers},
+                                      {.work = false, .reference = ReferenceOptions()})) {
+        // A suggestion is judged by the picture alone.
+        meter_.time = [](const Settings&, const Settings&) { return CostChange{}; };
+        meter_.time_to_limit = nullptr;
+        trace_sources(renderer, scene, settings_, request_, cache_, workers);
         casters_ = ray_scenes().get(ray_scenes().geometry(scene, settings_), workers);
     }
 
@@ -68,7 +73,7 @@ public:
         const PixelDiagnosis& d = found[light];
         reported.cause = cause_label(d.cause().artefact);
         reported.verdict = d.verdict;
-        if (d.fix) reported.fix = d.fix->text;
+        if (d.fix) reported.fix = drawn_fix(*d.fix, reported.pixel);
         reported.section = section_svg(pixel_section(probe, light, found, settings_, casters_.get()));
     }
 
@@ -77,7 +82,24 @@ private:
     const Scene& scene_;
     Settings settings_;
     FrameRequest request_;
+    ReferenceCache cache_;
+    TrialMeter meter_;
     std::shared_ptr<const ReferenceScene> casters_;
+    std::optional<MeasuredSettings> before_;  ///< of the settings without a change, once a change is drawn
+
+    /// Draws the picture with a suggested change. Returns a sentence on what the change does to the pixel and the
+    /// picture.
+    std::string drawn_fix(const SuggestedFix& fix, glm::ivec2 pixel) {
+        if (!before_) before_ = meter_.measure(settings_, settings_.view.light);
+        Candidate candidate = suggested_candidate(fix, settings_);
+        candidate.light = settings_.view.light;
+        const FixTable table = search_fixes(settings_, *before_, {std::move(candidate)}, meter_, {.pixel = pixel});
+        const Trial& trial = table.rows.front();
+        const std::string& why_not = trial.is_drawn() ? trial.why_not : trial.candidate.untried;
+        if (!table.fix()) return fmt::format("No fix: {}: {}.", fix.text, why_not);
+        return fmt::format("Fix: {}. Drawn so, this pixel is right, and {} pixels are wrong in place of {}.", fix.text,
+                           wrong_pixels(trial.metrics), table.wrong);
+    }
 };
 
 /// Times all subjects and the base of costs in turns.

@@ -251,7 +251,7 @@ std::string pixel_figure(const ReportedPixel& p, std::size_t number) {
     if (p.wrong > 0)
         html += element("p", fmt::format("In the middle of the largest cluster of this cause, {} pixels.", p.wrong));
     if (!p.verdict.empty()) html += element("p", p.verdict);
-    if (!p.fix.empty()) html += element("p", "Suggested: " + p.fix);
+    if (!p.fix.empty()) html += element("p", p.fix);
     return html + "</figure>\n";
 }
 

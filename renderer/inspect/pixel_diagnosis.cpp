@@ -540,6 +540,7 @@ private:
 
     /// Makes a fix for acne of a bent surface: more constant bias, by the amount that the trial found missing.
     std::optional<SuggestedFix> bent_fix() const {
+        if (!acts("bias.constant")) return {};
         const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasBreakdown& a = p_.account;
         const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -76,6 +77,35 @@ TEST(PresetReport, CommandsReproduceWhatThePageShows) {
     EXPECT_EQ(run_shell("$SI" + whole[0].substr(std::string("shadow-inspector").size()), folder).code, 0);
     EXPECT_EQ(file_bytes(folder / "r.html"), html) << "the page is reproduced byte by byte";
     EXPECT_NE(html.find("map.resolution: 256"), std::string::npos) << "differences of settings";
+}
+
+SI_TEST_IS(Later, PresetReport, FixesHoldWhenTheyAreApplied);
+TEST(PresetReport, FixesHoldWhenTheyAreApplied) {
+    const fs::path folder = fresh_test_folder();
+    write_preset(folder / "hard.json", "", R"({"filter.kernel":"hard"})");
+    const ProcessResult r =
+        run_program(Words("report stage --preset acne --preset hard.json --size 160x90 --no-time -o r.html"), folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const std::string html = file_bytes(folder / "r.html");
+    EXPECT_EQ(html.find("Suggested"), html.npos) << "nothing that was not drawn";
+    int fixes = 0;
+    const std::string beginning = "<p>Fix: set ";
+    for (std::size_t at = 0; (at = html.find(beginning, at)) != html.npos; ++at, ++fixes) {
+        int x = 0, y = 0;
+        char key[64] = {}, value[32] = {};
+        ASSERT_EQ(std::sscanf(&html[html.rfind("Pixel ", at)], "Pixel %d,%d", &x, &y), 2);
+        ASSERT_EQ(std::sscanf(&html[at + beginning.size()], "%63s to %31[^ <]", key, value), 2);
+        std::string amount = value;
+        if (amount.ends_with('.')) amount.pop_back();
+        const bool second = at > html.find("<h2>hard.json");
+        const std::string command =
+            fmt::format("probe stage --preset {} --size 160x90 --pixel {},{} --set {}={} --json",
+                        second ? "hard.json" : "acne", x, y, key, amount);
+        const Json json = program_json(command, folder);
+        ASSERT_TRUE(json.is_object()) << command;
+        EXPECT_TRUE(json["lights"][0]["dossier"]["right"].get<bool>()) << command;
+    }
+    EXPECT_GE(fixes, 1);
 }
 
 // The plot is the one of sweeps. The times of the shadows stand in the table, as multiples of one base.
