@@ -42,6 +42,10 @@ InterruptGuard::~InterruptGuard() {
 }
 
 bool InterruptGuard::stop_requested() const {
+    return was_interrupted();
+}
+
+bool was_interrupted() {
     return g_signal != 0;
 }
 

@@ -16,7 +16,10 @@ public:
     /// Returns true once SIGINT, SIGTERM or SIGHUP has arrived, so that long work should stop at its next step.
     bool stop_requested() const;
     /// Ends the program by the signal that arrived, so that a shell sees exit code 129, 130 or 143.
-    [[noreturn]] void end();
+    [[noreturn]] static void end();
 };
+
+/// Returns true when a signal has arrived since the last InterruptGuard was made.
+bool was_interrupted();
 
 }  // namespace si

@@ -150,6 +150,7 @@ public:
             print_report(r, session_.engine);
         print_notes(session_.notes);
         numbers_.require_sound();
+        end_if_interrupted("not everything was tried");
     }
 
     void run_autopilot(const Metric& error) {
@@ -168,10 +169,12 @@ public:
         else
             print_flight(r, renderer_.driver().clock);
         if (!r.goals_met) numbers_.require_sound();
+        if (!r.goals_met) end_if_interrupted("nothing was written");
         if (!r.goals_met) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
         if (!o_.output.empty()) write(r);
         print_notes(session_.notes);
         numbers_.require_sound();
+        end_if_interrupted("not everything was tried");
     }
 
 private:

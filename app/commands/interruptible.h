@@ -37,4 +37,12 @@ auto interruptible(const std::string& lost, const Work& work) {
     }
 }
 
+/// Ends the program by the signal that stopped its work, once all that was found is printed. Returns if none did.
+/// @param lost a clause for the message: "nothing was written"
+inline void end_if_interrupted(const std::string& lost) {
+    if (!was_interrupted()) return;
+    print_to_stderr(fmt::format("shadow-inspector: interrupted; {}\n", lost));
+    InterruptGuard::end();
+}
+
 }  // namespace si

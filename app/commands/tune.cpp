@@ -115,7 +115,7 @@ void print_tuned(const Tuned& tuned) {
                        tuned.limits->goals_met && c.axis_values == tuned.limits->best.axis_values ? "chosen"
                        : !c.holds ? "undecided within noise"
                        : *c.holds ? "within the limits"
-                                  : "");
+                                  : "outside the limits");
 }
 
 /// Returns the numbers of an engine's bias for settings.
@@ -203,12 +203,14 @@ void run_tune(const TuneOptions& options) {
     const bool nothing_lit = tuned.bias.before.needs.pixels == 0 && !goals.any();
     if (!tuned.result && !nothing_lit) {
         numbers.require_sound();
+        end_if_interrupted("nothing was written");
         throw Error(tuned.summary + "; nothing was written");
     }
     save_preset({"", "", tuned.summary, session.scene_name, after}, options.output);
     if (!options.json) print_wrote(options.output);
     print_notes(session.notes);
     numbers.require_sound();
+    end_if_interrupted("not everything was tried");
 }
 
 }  // namespace si

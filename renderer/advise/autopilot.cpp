@@ -59,6 +59,7 @@ public:
                            .classified = out.before,
                            .ms = out.before_ms,
                            .ms_noise = before_ms.noise};
+        if (known_.contains(at_)) decide(known_.at(at_));
         const bool all = out.combinations <= goals_.max_combinations;
         try {
             if (all)
@@ -140,6 +141,7 @@ private:
         c.changes = setting_changes(start_, c.settings);
         c.classified = meter_.measure(c.settings, start_.view.light);
         c.classified.frame.reset();
+        decide(c);
         AutopilotCase& added = known_.emplace(at, std::move(c)).first->second;
         show_so_far();
         return &added;
@@ -173,12 +175,18 @@ private:
             time_until_decided(c);
         }
         const std::optional<bool> before = c.holds;
-        if (!accurate(c) || !goals_.max_ms || *c.ms + c.ms_noise <= *goals_.max_ms)
-            c.holds = accurate(c);
-        else if (*c.ms - c.ms_noise > *goals_.max_ms)
-            c.holds = false;
+        decide(c);
         if (c.holds != before) show_so_far();
         return c.holds.value_or(false);
+    }
+    /// Decides whether a case is within the limits, as far as its error and its time are known.
+    void decide(AutopilotCase& c) const {
+        if (!accurate(c))
+            c.holds = false;
+        else if (c.ms && (!goals_.max_ms || *c.ms + c.ms_noise <= *goals_.max_ms))
+            c.holds = true;
+        else if (c.ms && *c.ms - c.ms_noise > *goals_.max_ms)
+            c.holds = false;
     }
     /// Times a case again while the limit lies within the noise of its time.
     void time_until_decided(AutopilotCase& c) const {
@@ -387,6 +395,9 @@ private:
             out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), cost_row(goals_.cost).when) : "";
         const std::string found = fmt::format("{}: {} {:.4g}{}", name_of(out.best.axis_values), goals_.error->key,
                                               out.best.classified.error, ms);
+        if (!out.goals_met && out.stopped && accurate(out.best) && !out.best.ms)
+            return fmt::format("stopped before a combination with {} was timed; one that was not is {}", bounds(),
+                               found);
         if (!out.goals_met)
             return fmt::format("{} {} by any tried combination; the nearest is {}", bounds(),
                                out.stopped ? "is not met so far" : "cannot be met", found);

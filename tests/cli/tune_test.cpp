@@ -114,5 +114,17 @@ TEST(TuneCommand, StaysWithinTheRequestedError) {
     EXPECT_EQ(again["map_resolution"], resolution);
 }
 
+SI_TEST_IS(Later, TuneCommand, AnInterruptPrintsWhatIsKnown);
+TEST(TuneCommand, AnInterruptPrintsWhatIsKnown) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r = run_shell("$SI tune boxes --max-error 0.0001 --size 96x64 -o t.json >printed 2>said & " +
+                                          signal_once("grep -q map.resolution said", "INT") + "cat printed said",
+                                      folder);
+    EXPECT_NE(r.out.find("code 130\n"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("mae at most 0.0001 is not met so far"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("interrupted; nothing was written"), std::string::npos) << r.out;
+    EXPECT_FALSE(fs::exists(folder / "t.json"));
+}
+
 }  // namespace
 }  // namespace si
