@@ -5,7 +5,7 @@
 build_packages=(g++ cmake ninja-build pkg-config
   libgl-dev libopengl-dev libegl-dev libepoxy-dev libglfw3-dev libx11-dev libglm-dev libimgui-dev
   libtinygltf-dev libassimp-dev libstb-dev libembree-dev nlohmann-json3-dev libcli11-dev libfmt-dev
-  libseccomp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libopenexr-dev libzip-dev libsdbus-c++-dev libsystemd-dev
+  libseccomp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libopenexr-dev libzip-dev zlib1g-dev libsdbus-c++-dev libsystemd-dev
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri xclip)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse, a second
 # driver (zink over lavapipe), the reference compiler of GLSL, the formatter, what opens and makes captures.

@@ -12,6 +12,7 @@
 #include "renderer/base/held_memory.h"
 #include "renderer/base/regular_file.h"
 #include "renderer/gltf/image_decode.h"
+#include "renderer/gltf/image_faults.h"
 #include "renderer/reference/flip.h"
 
 namespace si {
@@ -29,6 +30,7 @@ ByteImage read_picture(const std::string& path) {
         throw Error(fmt::format("{}: takes about {} of memory, and {} are free; compare smaller pictures", path,
                                 bytes_text(bytes), bytes_text(free)));
     gltf::Image image = gltf::decode_image(file.bytes.span());
+    if (image.error.empty()) image.error = gltf::checksum_fault(file.bytes.span());
     if (!image.error.empty()) throw Error(fmt::format("{}: {}; name a whole PNG file", path, image.error));
     return {image.width, image.height, std::move(image.rgba)};
 }

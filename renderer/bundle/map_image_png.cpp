@@ -41,6 +41,8 @@ FloatImage decode_png_map(std::span<const std::byte> bytes) {
     const std::unique_ptr<stbi_us, decltype(&std::free)> decoded(
         stbi_load_16_from_memory(data, size, &width, &height, &channels, 0), &std::free);
     if (!decoded) refuse_png(fault(), "write the file again");
+    if (const std::string damage = gltf::checksum_fault({data, bytes.size()}); !damage.empty())
+        refuse_png(damage, "write the file again");
     FloatImage out{width, height, channels, {}};
     out.data.resize(std::size_t(width) * std::size_t(height) * std::size_t(channels));
     for (std::size_t i = 0; i < out.data.size(); ++i) out.data[i] = float(decoded.get()[i] / 65535.0);

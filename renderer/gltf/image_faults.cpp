@@ -1,6 +1,7 @@
 #include "renderer/gltf/image_faults.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <string_view>
@@ -11,6 +12,7 @@ namespace si::gltf {
 namespace {
 
 constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t kAroundChunk = 12;  ///< bytes of length, type and checksum of a PNG's chunk
 
 /// Big-endian reader of a file in memory.
 struct ByteReader {
@@ -40,13 +42,12 @@ std::string header_fault(const ByteReader& png, std::size_t at) {
 
 std::string png_fault(const ByteReader& png) {
     if (png.text(0, 8) != kPngSignature) return "the PNG's signature is cut or damaged";
-    constexpr std::size_t kAround = 12;  // length, type and checksum of a chunk
     bool has_data = false, has_palette = false, needs_palette = false;
     for (std::size_t at = 8;;) {
-        if (png.left(at) < kAround) return "the PNG is cut before its end (IEND)";
+        if (png.left(at) < kAroundChunk) return "the PNG is cut before its end (IEND)";
         const std::size_t length = png.u32(at);
         const std::string_view type = png.text(at + 4, 4);
-        if (length > png.left(at) - kAround)
+        if (length > png.left(at) - kAroundChunk)
             return fmt::format("the PNG is cut or damaged inside its chunk {}", printable(type));
         if (at == 8) {
             if (type != "IHDR" || length != 13) return "the PNG does not begin with a header (IHDR)";
@@ -56,7 +57,7 @@ std::string png_fault(const ByteReader& png) {
         has_palette |= type == "PLTE";
         has_data |= type == "IDAT" && length > 0;
         if (type == "IEND") break;
-        at += kAround + length;
+        at += kAroundChunk + length;
     }
     if (!has_data) return "the PNG has no image data (IDAT)";
     if (needs_palette && !has_palette) return "the PNG has no palette (PLTE)";
@@ -126,6 +127,24 @@ std::string image_fault(std::span<const std::uint8_t> bytes) {
     if (file.text(0, 4) == kPngSignature.substr(0, 4)) return png_fault(file);
     if (file.text(0, 2) == "\xff\xd8") return jpeg_fault(file);
     return "the file is neither a PNG nor a JPEG image";
+}
+
+std::string checksum_fault(std::span<const std::uint8_t> bytes) {
+    const ByteReader png{bytes};
+    if (png.text(0, 8) != kPngSignature) return "";
+    for (std::size_t at = 8; png.left(at) >= kAroundChunk;) {
+        const std::size_t length = png.u32(at);
+        if (length > png.left(at) - kAroundChunk) break;
+        const std::string_view type = png.text(at + 4, 4);
+        // Pixels depend on critical chunks, whose names begin with a capital letter, and on transparency.
+        const bool is_critical = (type[0] & 0x20) == 0 || type == "tRNS";
+        const auto checksum = std::uint32_t(crc32(0, &bytes[at + 4], uInt(4 + length)));
+        if (is_critical && checksum != png.u32(at + 8 + length))
+            return fmt::format("the PNG is damaged inside its chunk {} (wrong checksum)", printable(type));
+        if (type == "IEND") break;
+        at += kAroundChunk + length;
+    }
+    return "";
 }
 
 }  // namespace si::gltf

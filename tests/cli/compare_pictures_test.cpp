@@ -57,12 +57,16 @@ TEST_F(ComparePictures, NamesTheFileThatCannotBeCompared) {
     std::filesystem::copy(pair_.a, folder_ / "mine.png");
     std::filesystem::create_symlink("mine.png", folder_ / "link.png");
     std::ofstream(folder_ / "cut.png") << file_bytes(pair_.a).substr(0, 120);
+    std::string damaged = file_bytes(pair_.a);
+    damaged[damaged.size() / 2] = char(damaged[damaged.size() / 2] ^ 1);
+    std::ofstream(folder_ / "damaged.png") << damaged;
     std::ofstream(folder_ / "text.png") << "no picture";
     std::ofstream(folder_ / "empty.png");
     std::filesystem::create_directory(folder_ / "folder.png");
     const std::string other = test::committed_flip_pairs().back().a.string();
     expect_error({"compare-pictures", a, "none.png"}, 1, "none.png: cannot be opened", folder_);
     expect_error({"compare-pictures", "cut.png", a}, 1, "cut.png: the PNG is cut", folder_);
+    expect_error({"compare-pictures", "damaged.png", a}, 1, "damaged.png: the PNG", folder_);
     expect_error({"compare-pictures", a, "text.png"}, 1, "text.png: the file is neither a PNG", folder_);
     expect_error({"compare-pictures", a, "empty.png"}, 1, "empty.png: the image is empty", folder_);
     expect_error({"compare-pictures", a, "folder.png"}, 1, "folder.png: is a directory", folder_);
