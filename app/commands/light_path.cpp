@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "app/base/notes.h"
@@ -16,6 +17,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/base/regular_file.h"
 
 namespace si {
 namespace {
@@ -58,6 +60,22 @@ void print_result(const LightPathReport& report) {
     if (!r.clock.empty()) fmt::print("times by {}\n", r.clock);
 }
 
+/// Throws unless the files of a path were written by this command, or do not exist.
+/// @param files path.json first
+void require_own_files(const std::array<fs::path, 3>& files) {
+    constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+    const ReadResult read = read_regular_file(files[0], kMostBytes);
+    const std::span<const std::uint8_t> bytes = read.bytes.span();
+    const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
+    if (json.is_object() && json.contains("format") && json["format"] == Json(kLightPathFormat)) return;
+    for (const fs::path& file : files)
+        if (is_taken(file))
+            throw Error(
+                fmt::format("{}: exists, and no {} says that a path's sweep wrote it; choose another folder, or "
+                            "move it away",
+                            file.string(), files[0].filename().string()));
+}
+
 void run_path(const PathSweepOptions& options) {
     if (!options.vary.empty())
         throw UsageError("--vary: a sweep varies settings, or moves a light by --along or --day; leave one out");
@@ -77,9 +95,10 @@ void run_path(const PathSweepOptions& options) {
     fs::create_directories(folder, error);
     if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
     for (const fs::path& file : files) {
-        require_writable(file);
         require_regular(file);
+        require_writable(file);
     }
+    require_own_files(files);
     const HeadlessContext context;
     Renderer renderer;
     LightPathReport report{.scene = session.scene_name,

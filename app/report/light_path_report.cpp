@@ -118,7 +118,7 @@ std::string table_of(const LightPathReport& report, const std::vector<PathColumn
 
 Json light_path_json(const LightPathReport& report) {
     const LightPathResult& r = report.measured;
-    Json json = {{"format", "shadow-inspector-light-path"},
+    Json json = {{"format", kLightPathFormat},
                  {"version", 1},
                  {"scene", report.scene},
                  {"width", report.width},

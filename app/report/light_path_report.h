@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/base/json_text.h"
 #include "renderer/measure/light_path.h"
 
 namespace si {
+
+/// Field `format` of path.json.
+inline constexpr std::string_view kLightPathFormat = "shadow-inspector-light-path";
 
 /// Measurements of the shadows at each step along a path of the light, with the facts that their report shows.
 struct LightPathReport {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/number_at.h"
@@ -80,6 +81,20 @@ TEST(LightPathCommand, MistakesAreNamedAndWriteNothing) {
     expect_error("sweep boxes --vary bias.slope=1 --worst-preset w.json -o out", 2, "--worst-preset", folder);
     expect_error("sweep boxes --along light.azimuth=0:9 --error nothing -o out", 2, "--error nothing", folder);
     EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(LightPathCommand, ReplacesItsOwnFilesOnly) {
+    const fs::path folder = fresh_test_folder();
+    const std::string command = "sweep boxes --along light.azimuth=0:9 --steps 2 --size 32x24 --no-time -o out";
+    fs::create_directory(folder / "out");
+    std::ofstream(folder / "out" / "path.html") << "mine";
+    expect_error(command, 1, "path.html: exists, and no path.json says that a path's sweep wrote it", folder);
+    EXPECT_EQ(file_bytes(folder / "out" / "path.html"), "mine");
+    fs::remove(folder / "out" / "path.html");
+    for (int run = 0; run < 2; ++run) {
+        const ProcessResult r = run_program(Words(command), folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+    }
 }
 
 }  // namespace
