@@ -1,5 +1,7 @@
 #include "app/sweep/running_sweep.h"
 
+#include <algorithm>
+
 #include "app/base/output.h"
 #include "app/report/picture_comparison.h"
 
@@ -33,7 +35,9 @@ DrawnCase RenderedCases::facts(const SweepCase& c) {
 CaseTimes RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
     const CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
     CaseTimes times;
-    times.shadow = time_shadow(measurer_, prepared.scene, prepared.settings, frames, cost, &times.frames);
+    constexpr int kLeastFrames = 2;  // the noise of one is unknown
+    times.shadow =
+        time_shadow(measurer_, prepared.scene, prepared.settings, std::max(frames, kLeastFrames), cost, &times.frames);
     return times;
 }
 

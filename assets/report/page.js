@@ -60,6 +60,11 @@ function pair(label, text) {
   return [make("dt", {}, label), make("dd", {}, text)];
 }
 
+/** The cost of a dot; of one below its noise, the bound. */
+function costText(dot, unit) {
+  return (dot.bound ? "< " : "") + short(dot.cost, unit);
+}
+
 function details() {
   const row = state.hovered || state.chosen, box = byId("details");
   if (!row) {
@@ -67,7 +72,7 @@ function details() {
     box.replaceChildren(make("h3", {}, "The frontier"), make("ol", {}, ...dots.filter(d => d.on)
       .sort((a, b) => a.cost - b.cost).slice(0, 20).map(d => make("li", {}, make("button", { type: "button",
         class: "plain", onclick: () => choose(d.row) }, shortName(d.row)), make("span", { class: "figures" },
-        short(d.error) + " at " + short(d.cost, unit))))), make("p", {}, "Point at a dot for its settings and picture; click to keep it."));
+        short(d.error) + " at " + costText(d, unit))))), make("p", {}, "Point at a dot for its settings and picture; click to keep it."));
     return;
   }
   const picture = DATA.pictures[row.case] || {}, dot = dots.find(d => d.row === row);

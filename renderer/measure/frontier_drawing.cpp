@@ -688,6 +688,9 @@ std::string knee_sentence(const FrontierPlot& plot) {
         return fmt::format("{}: {} for {}", c.name(), digits_text(c.dot.error),
                            plot_cost_text(plot, c.dot.cost, c.bound));
     };
+    if (dots.size() == 1)
+        return fmt::format("One case: {} for {}.", digits_text(dots[0].error),
+                           plot_cost_text(plot, dots[0].cost, plot.cases[0].bound));
     const auto knee = knee_of(dots, front);
     if (!knee)
         return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) +

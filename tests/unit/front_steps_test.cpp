@@ -368,6 +368,7 @@ TEST(FrontierDrawing, EmptyPlotsAndSinglesAreDrawn) {
     EXPECT_EQ(knee_sentence({}), "");
     FrontierPlot one = three_kernels();
     one.cases.resize(1);
+    EXPECT_EQ(knee_sentence(one), "One case: 0.08 for 4 ms.");
     one.cases[0].dot = {0, 0, 0, 0};
     const FrontierDrawing drawing = frontier_drawing(one, {});
     ASSERT_EQ(drawing.cases.size(), 1u);
