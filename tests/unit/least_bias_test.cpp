@@ -131,6 +131,13 @@ TEST(LeastBias, TiesAreDecidedByErrorThenGap) {
     add("adaptive", 1000.1, 0.01, 0.2);
     add("receiver-plane", 1020, 0.001, 0.001);
     EXPECT_EQ(found.best()->row->key, "adaptive");
+    found.tried.clear();
+    found.before.error.counted = 1000;
+    add("constant", 0.01, 0.0001, 0.2);
+    add("adaptive", 0.02, 0.0004, 0.01);
+    EXPECT_EQ(found.best()->row->key, "adaptive") << "errors differ by less than half of one pixel in a thousand";
+    add("slope", 0.02, 0.0010, 0.001);
+    EXPECT_EQ(found.best()->row->key, "adaptive");
 }
 
 TEST(LeastBias, ABiasWithMoreWrongPixelsThanBeforeWinsOnlyIfAllHaveMore) {
