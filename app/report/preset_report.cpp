@@ -95,10 +95,13 @@ private:
         candidate.light = settings_.view.light;
         const FixTable table = search_fixes(settings_, *before_, {std::move(candidate)}, meter_, {.pixel = pixel});
         const Trial& trial = table.rows.front();
-        const std::string& why_not = trial.is_drawn() ? trial.why_not : trial.candidate.untried;
-        if (!table.fix()) return fmt::format("No fix: {}: {}.", fix.text, why_not);
-        return fmt::format("Fix: {}. Drawn so, this pixel is right, and {} pixels are wrong in place of {}.", fix.text,
-                           wrong_pixels(trial.metrics), table.wrong);
+        if (!trial.is_drawn()) return fmt::format("No fix: {}: {}.", fix.text, trial.candidate.untried);
+        if (!trial.pixel->right) return fmt::format("No fix: {}: {}.", fix.text, trial.why_not);
+        std::string effect = fix.text + ". Drawn so, this pixel is right";
+        if (const std::size_t wrong = wrong_pixels(trial.metrics); wrong < table.wrong)
+            effect += fmt::format(", and {} pixels are wrong in place of {}", wrong, table.wrong);
+        return table.fix() ? fmt::format("Fix: {}.", effect)
+                           : fmt::format("A change with a side effect: {}. But {}.", effect, trial.why_not);
     }
 };
 

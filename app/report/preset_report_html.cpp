@@ -249,7 +249,8 @@ std::string pixel_figure(const ReportedPixel& p, std::size_t number) {
         fmt::format("<p><strong>{}. Pixel {},{}</strong>{}{}</p>\n", number, p.pixel.x, p.pixel.y,
                     p.object.empty() ? "" : ", " + xml_text(p.object), p.cause.empty() ? "" : ": " + xml_text(p.cause));
     if (p.wrong > 0)
-        html += element("p", fmt::format("In the middle of the largest cluster of this cause, {} pixels.", p.wrong));
+        html += element("p", fmt::format("In the middle of the largest cluster of this cause, {} pixel{}.", p.wrong,
+                                         p.wrong == 1 ? "" : "s"));
     if (!p.verdict.empty()) html += element("p", p.verdict);
     if (!p.fix.empty()) html += element("p", p.fix);
     return html + "</figure>\n";
