@@ -110,13 +110,13 @@ TEST_F(FixesTest, CausesAreFoundOnlyOfChangesThatMayBeFixes) {
         c.settings.bias.constant = texels;
         return c;
     };
-    const std::vector<Candidate> list{with_constant(40), with_constant(3)};
+    const std::vector<Candidate> list{with_constant(40), with_constant(9)};
     TrialMeter meter = renderer_trial_meter(tools(scene), {.work = false});
     meter.time = [](const Settings&, const Settings&) { return CostChange{}; };
     meter.time_to_limit = nullptr;
     const MeasuredSettings before = meter.measure(s, 0);
     const FixTable table = search_fixes(s, before, list, meter, {});
-    const Trial *const more = row(table, "40"), *const less = row(table, "3");
+    const Trial *const more = row(table, "40"), *const less = row(table, "9");
     ASSERT_TRUE(more && less);
     EXPECT_EQ(more->why_not.rfind("wrong pixels rise", 0), 0u) << more->why_not;
     EXPECT_EQ(more->metrics.without_cause, wrong_pixels(more->metrics));

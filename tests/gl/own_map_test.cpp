@@ -107,7 +107,10 @@ TEST_F(OwnMapTest, ChangesLeadToWhatWasDrawn) {
         set_settings(applied, t.changes);
         const ErrorMetrics literal = measured(applied);
         EXPECT_EQ(literal.mae, t.metrics.mae);
-        EXPECT_EQ(literal.artefacts, t.metrics.artefacts);
+        EXPECT_EQ(wrong_pixels(literal), wrong_pixels(t.metrics));
+        if (t.metrics.without_cause == 0) {
+            EXPECT_EQ(literal.artefacts, t.metrics.artefacts);
+        }
     }
     FrameRequest by_hand{.width = kWidth, .height = kHeight};
     const auto given = given_maps(read.settings.map.bundle)->lights[0];
