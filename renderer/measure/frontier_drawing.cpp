@@ -692,6 +692,7 @@ std::string knee_sentence(const FrontierPlot& plot) {
         return fmt::format("One case: {} for {}.", digits_text(dots[0].error),
                            plot_cost_text(plot, dots[0].cost, plot.cases[0].bound));
     const auto knee = knee_of(dots, front);
+    if (!knee && front.size() == 1) return described(front.front()) + "; nothing dearer was measured.";
     if (!knee)
         return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) +
                ".";

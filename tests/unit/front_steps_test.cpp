@@ -369,6 +369,12 @@ TEST(FrontierDrawing, EmptyPlotsAndSinglesAreDrawn) {
     FrontierPlot one = three_kernels();
     one.cases.resize(1);
     EXPECT_EQ(knee_sentence(one), "One case: 0.08 for 4 ms.");
+    FrontierPlot best_is_dearest = one;
+    best_is_dearest.cases.push_back(one.cases[0]);
+    best_is_dearest.cases[1].dot = {.cost = 3.9, .error = 0.081};
+    best_is_dearest.cases[0].dot = {.cost = 3.9, .error = 0.08};
+    EXPECT_EQ(knee_sentence(best_is_dearest).substr(best_is_dearest.cases[0].name().size()),
+              ": 0.08 for 3.9 ms; nothing dearer was measured.");
     one.cases[0].dot = {0, 0, 0, 0};
     const FrontierDrawing drawing = frontier_drawing(one, {});
     ASSERT_EQ(drawing.cases.size(), 1u);
