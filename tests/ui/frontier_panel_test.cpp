@@ -5,6 +5,7 @@
 
 #include "app/sweep/measured_cases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/playback.h"
@@ -316,6 +317,11 @@ TEST(FrontierPanel, NarrowWindowHasTheControlsAboveThePlot) {
         EXPECT_TRUE(seen);
         EXPECT_TRUE(p.ui.drawn().shows("Vary another")) << width;
     }
+}
+
+TEST(FrontierDefaults, VarySettingsThatHaveAnEffect) {
+    for (const AxisText& axis : SweepPanel{}.axes)
+        EXPECT_EQ(idle_reason(Settings{}, *find_setting(axis.key)), "") << axis.key;
 }
 
 }  // namespace

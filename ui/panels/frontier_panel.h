@@ -92,8 +92,7 @@ struct AxisText {
 
 /// State of the panel Frontier: settings that the next sweep varies, its options, and the axes of the plot.
 struct SweepPanel {
-    std::vector<AxisText> axes = {
-        {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
+    std::vector<AxisText> axes = {{"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}};
     int width = 480;  ///< pixels of the picture that is measured
     int height = 270;
     bool area = false;                             ///< compares with an area light instead of a point
