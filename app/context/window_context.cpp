@@ -23,6 +23,14 @@ std::pair<int, std::string> last_glfw_error() {
     return {code, text ? text : "no reason given"};
 }
 
+/// Returns the X11 id of a window; 0: it has none.
+unsigned long x11_id(GLFWwindow* window) {
+    // The function is looked up at run time, because a GLFW built for Wayland only lacks it.
+    using IdOf = unsigned long (*)(GLFWwindow*);
+    const auto id_of = reinterpret_cast<IdOf>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+    return id_of ? id_of(window) : 0;
+}
+
 constexpr const char* kHeadlessHint =
     "without a display use the headless commands, or: edit SCENE --headless --screenshot FILE.png";
 
@@ -37,10 +45,7 @@ bool WindowContext::display_available() {
 }
 
 std::string WindowContext::portal_name() const {
-    // The function is looked up at run time, because a GLFW built for Wayland only lacks it.
-    using IdOf = unsigned long (*)(GLFWwindow*);
-    const auto id_of = reinterpret_cast<IdOf>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
-    const unsigned long id = id_of ? id_of(window_) : 0;
+    const unsigned long id = x11_id(window_);
     return id ? fmt::format("x11:{:x}", id) : std::string();
 }
 
@@ -89,7 +94,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     shared_window_ = glfwCreateWindow(16, 16, title.c_str(), nullptr, window_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    survive_x_errors();
+    survive_x_errors(x11_id(window_));
     glfwSetWindowUserPointer(window_, &events_);
     install_callbacks();
 }
@@ -155,7 +160,7 @@ WindowContext::Events& WindowContext::note_input(GLFWwindow* window) {
 }
 
 bool WindowContext::should_close() const {
-    return glfwWindowShouldClose(window_);
+    return glfwWindowShouldClose(window_) || x_window_is_gone();
 }
 void WindowContext::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
@@ -190,7 +195,7 @@ void WindowContext::swap() {
 glm::ivec2 WindowContext::framebuffer_size() const {
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window_, &size.x, &size.y);
-    return size;
+    return x_window_is_gone() ? glm::ivec2(0) : size;
 }
 
 std::pair<int, int> WindowContext::size() const {

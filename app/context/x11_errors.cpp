@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -21,8 +22,14 @@ struct Keeper {
     std::thread::id thread;
 };
 Keeper g_keeper;
+std::atomic<unsigned long> g_window = 0;
+std::atomic<bool> g_window_is_gone = false;
 
 int tell_error(Display* display, XErrorEvent* error) {
+    // Another client may destroy the window. Errors about other windows are harmless.
+    if (g_window != 0 && error->resourceid == g_window &&
+        (error->error_code == BadWindow || error->error_code == BadDrawable))
+        g_window_is_gone = true;
     char text[128] = {};
     XGetErrorText(display, error->error_code, text, int(sizeof text) - 1);
     print_to_stderr(fmt::format("shadow-inspector: the X server says: {} (request {}.{})\n", text, error->request_code,
@@ -47,9 +54,15 @@ int end_without_server(Display*) {
 
 }  // namespace
 
-void survive_x_errors() {
+void survive_x_errors(unsigned long window) {
+    g_window = window;
+    g_window_is_gone = false;
     XSetErrorHandler(tell_error);
     XSetIOErrorHandler(end_without_server);
+}
+
+bool x_window_is_gone() {
+    return g_window_is_gone;
 }
 
 XServerGuard::XServerGuard(std::function<std::string()> save) {

@@ -9,7 +9,10 @@ namespace si {
 /// Prints errors of the X server to stderr instead of ending the program. Some are harmless: a file manager that closes
 /// during a drag leaves messages to a window that is gone. When the X server itself ends, the program prints a sentence
 /// and ends with exit code 1. Call after creating windows, since GLFW restores Xlib's own handler.
-void survive_x_errors();
+/// @param window X11 id of the program's window; 0: it has none
+void survive_x_errors(unsigned long window);
+/// Returns true when the X server has reported that the program's window does not exist any more.
+bool x_window_is_gone();
 
 /// Guard that saves the user's work if the X server ends while the guard exists.
 class XServerGuard {

@@ -43,6 +43,16 @@ TEST_F(Window, EndOfTheServerKeepsTheSessionAndIsASentence) {
     EXPECT_EQ(kept, 1u);
 }
 
+TEST_F(Window, ADestroyedWindowEndsTheEditorAsAClosedOne) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    keys("u");
+    wait_until_idle();
+    ASSERT_TRUE(xdotool("search --onlyvisible --name boxes windowclose"));
+    wait_until([&] { return !program_->running(); });
+    EXPECT_EQ(program_->code(), 0) << log();
+    EXPECT_TRUE(std::filesystem::exists(state_folder() / "workspace.json")) << "the layout is kept";
+}
+
 TEST_F(Window, ClosedTerminalEndsTheEditorCleanly) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("u");
