@@ -104,7 +104,9 @@ struct FoundBias {
     std::string summary(bool no_acne) const;
 
 private:
-    /// Returns the trial with the least error score whose gap at casters is allowed (max_gap_m); null: none.
+    /// Returns the trial with the least error score whose gap at casters is allowed (max_gap_m); null: none. Trials
+    /// with more wrong pixels than before count only if all have more. Ties of the score go to the smaller mean error,
+    /// then to the smaller gap.
     /// @param row only trials of this row of the bias table; null: of all rows
     /// @param no_acne true: only trials without acne
     const TriedBias* least_score(const Bias* row, bool no_acne) const;

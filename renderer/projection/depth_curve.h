@@ -49,7 +49,7 @@ struct DepthCurve {
     /// convert a bias between metres and depth.
     double slope(double z) const;
     /// Returns how much the depth-buffer value of a point changes when the point moves towards the light, as a bias
-    /// moves it. The moved point stays at least a thousandth of `near` from the light.
+    /// moves it. In perspective the moved point stays at least a thousandth of `near` from the light.
     /// @param z distance of the point, metres along the axis
     /// @param metres move along the axis; below 0: away from the light
     double depth_change_towards_light(double z, double metres) const;
