@@ -18,8 +18,8 @@ bool x_window_is_gone();
 class XServerGuard {
 public:
     /// Sets the function that saves the user's work when the X server ends.
-    /// @param save runs on the thread of this object and may not use the window. It returns a clause for the message:
-    /// "the next start offers the unsaved settings"
+    /// @param save runs on the thread that made this guard, and may not use the window. It returns a clause for the
+    /// message: "the next start offers the unsaved settings"
     explicit XServerGuard(std::function<std::string()> save);
     ~XServerGuard();
     XServerGuard(const XServerGuard&) = delete;
