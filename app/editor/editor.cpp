@@ -211,8 +211,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             window.set_title(titled + " - Shadow Inspector");
         }
     }
-    const auto [width, height] = window.size();
-    model.note_window_size(width, height, window.maximised());
+    // A minimised window has no size, and neither has one that another client has destroyed.
+    if (const auto [width, height] = window.size(); width > 0 && height > 0)
+        model.note_window_size(width, height, window.maximised());
     model.end();
     require_sound_session(model);
     return model.notes();
