@@ -46,7 +46,7 @@ public:
     /// Hides the mouse cursor and lets it move without limits while the user flies the camera, or shows it again.
     /// @param held true: hide the cursor; false: show it at its old place
     void hold_cursor(bool held);
-    /// Returns width and height of the window's framebuffer in pixels; 0 while it is minimised, or once it is destroyed.
+    /// Returns width and height of the window's framebuffer in pixels; 0 while it is minimised, or once destroyed.
     glm::ivec2 framebuffer_size() const;
     /// Returns width and height of the window in screen coordinates at scale 1. The constructor takes the same numbers,
     /// so that the next start can restore the size.
