@@ -32,12 +32,6 @@ std::string why_maps_differ(const SearchTools& tools, const Settings& base, cons
     return {};
 }
 
-/// Returns true when a pixel has no artefact. Causes may differ between given and drawn maps, as a given map cannot be
-/// drawn without its polygon offset.
-bool is_right(const MeasuredSettings& measured, std::size_t pixel) {
-    return measured.frame->classified[pixel].artefact == Artefact::None;
-}
-
 }  // namespace
 
 OwnMap own_map_of(const SearchTools& tools, const Settings& base, const MeasuredSettings& before,
@@ -64,7 +58,8 @@ Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const
         candidate.untried = kNeedsAnotherMap;
     else if (!own.why_not.empty())
         candidate.untried = own.why_not;
-    else if (pixel && is_right(before, *pixel) != is_right(own.before, *pixel))
+    // Causes may differ, as a given map cannot be drawn without its polygon offset.
+    else if (pixel && pixel_trial(*before.frame, *pixel).right != pixel_trial(*own.before.frame, *pixel).right)
         candidate.untried =
             fmt::format("{}; the inspector's own map does not show this pixel's fault", kNeedsAnotherMap);
     if (candidate.untried.empty()) {
