@@ -168,9 +168,11 @@ public:
             fmt::print("{}", json_text(autopilot_json(r, o_, error, renderer_.driver().clock)));
         else
             print_flight(r, renderer_.driver().clock);
-        if (!r.goals_met) numbers_.require_sound();
-        if (!r.goals_met) end_if_interrupted("nothing was written");
-        if (!r.goals_met) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
+        if (!r.goals_met) {
+            numbers_.require_sound();
+            end_if_interrupted("nothing was written");
+            throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
+        }
         if (!o_.output.empty()) write(r);
         print_notes(session_.notes);
         numbers_.require_sound();

@@ -49,7 +49,7 @@ public:
           request_{.width = size.x, .height = size.y},
           meter_(renderer_trial_meter({renderer, scene, size.x, size.y, cache_, workers},
                                       {.work = false, .reference = ReferenceOptions()})) {
-        // A suggestion is judged by the picture alone.
+        // The time of a suggested change does not matter here.
         meter_.time = [](const Settings&, const Settings&) { return CostChange{}; };
         meter_.time_to_limit = nullptr;
         trace_sources(renderer, scene, settings_, request_, cache_, workers);

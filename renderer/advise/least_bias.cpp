@@ -232,7 +232,7 @@ const TriedBias* FoundBias::least_score(const Bias* row, bool no_acne) const {
     const auto ties = [&](const TriedBias& t) { return may_win(t) && t.trial.score <= score * (1 + kScoreTie) + 0.5; };
     for (const TriedBias& t : tried)
         if (ties(t)) error = std::min(error, t.trial.error.mae);
-    // As the score, the error decides only from half a pixel on.
+    // The error decides only from half a pixel on, as the score does.
     const double half_pixel = before.error.counted > 0 ? 0.5 / double(before.error.counted) : 0;
     const auto both_tie = [&](const TriedBias& t) {
         return ties(t) && t.trial.error.mae <= error * (1 + kErrorTie) + half_pixel;

@@ -138,8 +138,7 @@ std::string checksum_fault(std::span<const std::uint8_t> bytes) {
         const std::string_view type = png.text(at + 4, 4);
         // Pixels depend on critical chunks, whose names begin with a capital letter, and on transparency.
         const bool is_critical = (type[0] & 0x20) == 0 || type == "tRNS";
-        const auto checksum = std::uint32_t(crc32(0, &bytes[at + 4], uInt(4 + length)));
-        if (is_critical && checksum != png.u32(at + 8 + length))
+        if (is_critical && crc32(0, &bytes[at + 4], uInt(4 + length)) != png.u32(at + 8 + length))
             return fmt::format("the PNG is damaged inside its chunk {} (wrong checksum)", printable(type));
         if (type == "IEND") break;
         at += kAroundChunk + length;
