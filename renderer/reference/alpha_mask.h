@@ -11,11 +11,11 @@
 
 namespace si {
 
-/// Alpha channel of a texture for the alpha test of shadow rays; several alpha masks share one.
+/// Alpha channel of a texture for the alpha test of shadow rays. Several alpha masks may share the texture.
 struct AlphaTexture {
     int width = 0, height = 0;
     TextureWrap wrap_s = TextureWrap::Repeat, wrap_t = TextureWrap::Repeat;
-    bool nearest = false;  ///< nearest instead of bilinear: the magnification filter, used by GL at level 0
+    bool nearest = false;  ///< true: nearest filter; false: bilinear. Follows the texture's magnification filter
     std::vector<std::uint8_t> alpha;
 
     /// Copies the alpha channel of a texture for the alpha test of shadow rays.
@@ -35,7 +35,7 @@ private:
     struct Bounds {
         std::uint8_t least, most;
     };
-    std::vector<Bounds> bounds_;  ///< of each texel, and those to the right and below
+    std::vector<Bounds> bounds_;  ///< by texel (x, y): bounds over texels x to x + 1, y to y + 1; empty if `nearest`
 };
 
 /// Alpha test of one mesh with a masked material, for shadow rays. Shares the mesh's arrays, so that a trace may
@@ -49,15 +49,15 @@ public:
     /// @param triangle index of the triangle abc in the mesh
     /// @param u,v barycentric coordinates of the point (1-u-v) a + u b + v c
     bool is_solid(std::uint32_t triangle, double u, double v) const;
-    /// Adds the cutoff, texture coordinates and alpha of this alpha test to the content key of its ReferenceGeometry.
-    /// The triangles are added by ReferenceGeometry::add_content().
+    /// Adds cutoff, texture coordinates and alpha values of the alpha test to a content key (hash of contents).
+    /// ReferenceGeometry::add_content() adds the triangles.
     void add_content(Key& key) const;
 
 private:
     SharedArray<std::uint32_t> indices_;
     SharedArray<glm::vec2> uv_;
-    std::vector<std::uint8_t> vertex_alpha_;       ///< empty: 1
-    std::shared_ptr<const AlphaTexture> texture_;  ///< null: 1
+    std::vector<std::uint8_t> vertex_alpha_;       ///< by vertex; empty: alpha 1
+    std::shared_ptr<const AlphaTexture> texture_;  ///< null: alpha 1
     double base_, cutoff_;
 };
 

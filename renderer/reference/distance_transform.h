@@ -13,13 +13,14 @@ namespace si {
 /// @param set width x height flags; other than 0: the pixel is set
 std::vector<float> distance_to(const std::vector<std::uint8_t>& set, int width, int height);
 
-/// Finds distances to the nearest set pixel of an image for single pixels. Takes less time than distance_to() where
-/// few are asked for, most of them near set pixels: a look-up costs as many steps as the distance has pixels.
+/// Euclidean distances from single pixels of an image to the nearest set pixel. Faster than distance_to() for few
+/// look-ups close to set pixels: the time of a look-up is proportional to the distance.
 class NearestSetPixel {
 public:
     /// Prepares an image for look-ups. @param set width x height flags; other than 0: the pixel is set
     NearestSetPixel(const std::vector<std::uint8_t>& set, int width, int height);
-    /// Returns the value of distance_to() at one pixel. @param pixel index into the image's flags
+    /// Returns the distance in pixels from one pixel to the nearest set pixel; infinite when no pixel is set.
+    /// @param pixel index into the image's flags
     float distance(std::size_t pixel) const;
 
 private:

@@ -11,11 +11,11 @@
 
 namespace si {
 
-/// Light in the form that the ray tracer samples: a directional light is a disk on the sky, a spot light a disk across
-/// its axis, a point light a sphere.
+/// Light in the form that the ray tracer samples: a directional light is a disk on the sky, a spot light a disk
+/// perpendicular to its axis, a point light a sphere.
 struct Emitter {
     LightType type = LightType::Directional;
-    glm::dvec3 position_ws{0};     ///< spot and point
+    glm::dvec3 position_ws{0};     ///< metres; spot and point lights only
     glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
     double cos_cone = -1;          ///< cosine of a spot's outer half angle
     double range_m = 0;            ///< spot and point: no light beyond this distance; 0: unlimited
@@ -32,7 +32,7 @@ struct Emitter {
         return distance_m > 0 ? d / distance_m : to_light;
     }
     /// Returns true when a point lies in the spot light's cone; always true for other lights.
-    /// @param to_light_from_point unit
+    /// @param to_light_from_point unit vector from the point to the light
     bool in_cone(const glm::dvec3& to_light_from_point) const {
         return type != LightType::Spot || glm::dot(to_light_from_point, to_light) > cos_cone;
     }
@@ -47,12 +47,13 @@ struct LightRay {
     double length_m = std::numeric_limits<double>::infinity();
 };
 
-/// Cell of a fine grid on an area light that holds a sample point: column and row of 16 bits. Their upper bits are the
-/// column and row in a coarser grid.
+/// Cell of a 2^16 x 2^16 grid on an area light in which a sample point lies. The upper bits of column and row are
+/// those of the enclosing cell in a coarser grid.
 struct LightCell {
     std::uint16_t x = 0, y = 0;
-    /// Returns the row-major index of the enclosing cell in a grid of 2^digits cells, digits at most 32: as many
-    /// columns as rows, or twice as many if digits is odd.
+    /// Returns the row-major index of the enclosing cell in a coarser grid of 2^digits cells. The grid has equal
+    /// numbers of columns and rows; for odd `digits` it has twice as many columns.
+    /// @param digits 0 to 32
     std::size_t index(int digits) const {
         const int across = (digits + 1) / 2, down = digits / 2;
         return std::size_t(y >> (16 - down)) << across | std::size_t(x >> (16 - across));
@@ -60,22 +61,25 @@ struct LightCell {
 };
 
 /// Sample points on an area light for the shadow rays of one surface point: a (0,2)-sequence (Sobol') under Owen's
-/// nested scrambling. Its first 2^k points have one in each of the 2^k cells of every grid of powers of two. A longer
-/// run keeps the points of a shorter one. The error at a shadow edge falls with N^(-3/4), against N^(-1/2) of
-/// independent samples: Owen, Scrambled Net Variance for Integrals of Smooth Functions, 1997; Kollig and Keller,
-/// Efficient Multidimensional Sampling, Eurographics 2002. Each surface point has one of 64 scramblings and a rotation
-/// of its own. Both follow from its pixel, so that results repeat. Disks use the concentric map of Shirley and Chiu, A
-/// Low Distortion Map Between Disk and Square, 1997; spheres use their solid angle.
+/// nested scrambling. In every grid of 2^k cells whose sides are powers of two, each cell has exactly one of the first
+/// 2^k points. More samples extend the sequence, and earlier points stay. With N samples the error at a shadow edge
+/// falls as N^(-3/4); with independent samples it falls as N^(-1/2). Owen, Scrambled Net Variance for Integrals of
+/// Smooth Functions, 1997; Kollig and Keller, Efficient Multidimensional Sampling, Eurographics 2002. The pixel of the
+/// surface point selects one of 64 scramblings and a rotation, so that results are reproducible. Disks use the
+/// concentric map of Shirley and Chiu, A Low Distortion Map Between Disk and Square, 1997. Spheres are sampled by solid
+/// angle.
 class LightSamples {
 public:
-    /// Prepares the sample points of one surface point. @param pixel seed of scrambling and rotation
+    /// Prepares the sample points on a light for the shadow rays of one surface point.
+    /// @param emitter the light; must outlive this object
+    /// @param pixel index of the surface point's pixel: the seed of scrambling and rotation
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
     /// Returns the ray from the surface point to sample point `k` on the light.
     LightRay ray(std::uint32_t k) const;
     /// Returns the ray from the surface point to one of `count` evenly spaced points on the light's outline.
     /// @param k number of the point, less than `count`
     LightRay outline_ray(std::uint32_t k, std::uint32_t count) const;
-    /// Returns the cell of the grid on the light that holds sample point `k`.
+    /// Returns the cell in which sample point `k` lies, of a 2^16 x 2^16 grid on the light.
     LightCell cell(std::uint32_t k) const;
     /// Lists the sample point in each cell of a grid of 2^digits cells on the light. Each cell holds exactly one of the
     /// first 2^digits sample points.
@@ -88,9 +92,9 @@ private:
 
     const Emitter& emitter_;
     glm::dvec3 point_;
-    glm::dmat3 axes_;           ///< across, across, towards the light
-    double radius_ = 0;         ///< disk radius in metres, or on the unit sphere of directions
-    double one_minus_cos_ = 0;  ///< for the half angle of a sphere or of the disk on the sky
+    glm::dmat3 axes_;           ///< columns: two axes across the light, then the axis towards it
+    double radius_ = 0;         ///< spot light: radius of the disk, metres; else 0
+    double one_minus_cos_ = 0;  ///< 1 - cos of the angular radius of a sphere or of the disk on the sky
     double distance_ = 0;
     std::uint32_t scrambling_;
     const struct LightSamplePoint* points_;  ///< first points of the scrambling

@@ -15,9 +15,9 @@ struct LightRaySegment {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
-/// Traces ray segments from a light to the first caster, whichever face of it they hit. Returns metres along each
-/// segment; NaN without a hit. The precision is that of 32-bit floats, relative to the segment's length and the scene's
-/// size.
+/// Traces ray segments from a light to the first caster, without face culling. Returns for each segment the distance
+/// from its start in metres; NaN without a hit. The precision is that of 32-bit floats, relative to the segment's
+/// length and the scene's size.
 std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> segments);
 
 /// First caster that a ray segment from a light hits.
@@ -27,7 +27,8 @@ struct FirstCaster {
     glm::dvec3 normal_ws{0};   ///< unit normal of the triangle by its winding; 0 for a triangle without area
 };
 
-/// Traces ray segments from a light to the first caster that face culling leaves in the map. Precision as above.
+/// Traces ray segments from a light to the first caster that face culling keeps in the shadow map. The precision is
+/// that of first_caster_distances().
 /// @param traits one per object, see object_traits()
 /// @return one per segment; nullopt without a hit
 /// @throws Cancelled

@@ -9,9 +9,10 @@
 
 namespace si {
 
-/// Pixels per degree of visual angle at 0.7 m from a monitor 0.7 m and 3840 pixels wide (Andersson et al. 2020, 4).
+/// Pixels per degree of visual angle, seen at 0.7 m from a monitor that is 0.7 m and 3840 pixels wide (Andersson et al.
+/// 2020, section 4).
 inline constexpr double kFlipPixelsPerDegree = 67.0206;
-/// Range of pixels per degree for which flip_difference() has filters. The filters' width grows with it.
+/// Range to which flip_difference() clamps its pixels per degree. The width of its filters grows with this number.
 inline constexpr double kMinPixelsPerDegree = 1, kMaxPixelsPerDegree = 500;
 
 /// Perceived difference of two pictures by the metric FLIP, 0 (none) to 1 (largest): for each pixel, mean and maximum.
@@ -23,7 +24,7 @@ struct Flip {
 /// Computes LDR-FLIP of two sRGB pictures of equal size; alpha is ignored. Symmetric in both pictures.
 /// Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating
 /// Images", HPG 2020, section 4.
-/// @param pixels_per_degree pixels per degree of visual angle, kMinPixelsPerDegree to kMaxPixelsPerDegree
+/// @param pixels_per_degree pixels per degree of visual angle, clamped to [kMinPixelsPerDegree, kMaxPixelsPerDegree]
 /// @throws Error when the sizes differ; Cancelled
 Flip flip_difference(const ByteImage& a, const ByteImage& b, double pixels_per_degree = kFlipPixelsPerDegree,
                      const Workers& workers = {});

@@ -25,7 +25,7 @@ struct LightMapTask {
     std::shared_ptr<const ReferenceGeometry> geometry;
     Emitter emitter;
     int side = 0;     ///< side of the atlas, texels
-    int samples = 1;  ///< most rays per texel, over the light's area; 1: one to its centre
+    int samples = 1;  ///< largest number of rays per texel to the light's area; 1: one ray to its centre
     std::uint64_t key = 0;
 };
 
@@ -34,8 +34,8 @@ struct LightMap {
     std::uint64_t key = 0;      ///< light_map_key() of the frames that may use it
     std::uint64_t version = 0;  ///< unique per content, by next_version()
     std::shared_ptr<const LightMapLayout> layout;
-    /// round(255 * visibility), side x side, bottom row first: rounding errors are at most 1/510. Texels that no
-    /// look-up reaches are 255.
+    /// Visibility as round(255 * visibility), `layout->side` squared texels, bottom row first. Rounding errors are at
+    /// most 1/510. Texels that no look-up reaches are 255.
     std::vector<std::uint8_t> texels;
     std::uint64_t rays = 0;
     double bake_ms = 0;  ///< wall time of baking, or of reading it from disk
@@ -45,7 +45,7 @@ struct LightMap {
 };
 
 /// Returns the cache key of a light's baked light map within this process. It depends on scene, casters, light and
-/// light_map.*, not on the camera. 0 when there is no such light. @param light index of light.*
+/// light_map.*, not on the camera. 0 when there is no such light. @param light index in `lights`
 std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                             int light);
 
@@ -57,10 +57,10 @@ LightMapTask light_map_task(const Scene& scene, const Settings& settings, const 
 /// every process, so that it finds light maps stored on disk.
 std::uint64_t light_map_content_key(const LightMapTask& task);
 
-/// Bakes a light map: traces the light's visibility for every texel that a look-up may read, on the lit side of its
-/// surface. A texel outside its chart (patch of triangles in the atlas) is traced at the chart's nearest point, a
-/// quarter of a texel inside the border. So no ray starts in the plane of an adjoining wall. The result does not depend
-/// on the number of threads.
+/// Bakes a light map: traces the light's visibility for every texel that a look-up may read, from the side of the
+/// surface that faces the light. A texel outside its chart (patch of triangles in the atlas) is traced at the chart's
+/// nearest point, a quarter of a texel inside the border. So no ray starts in the plane of an adjoining wall. The
+/// result does not depend on the number of threads.
 /// @throws Cancelled; Error as ReferenceScene does
 LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
                         const ReferenceScene& scene, const Workers& workers);

@@ -17,14 +17,14 @@ public:
     /// Limits in bytes of the files on disk and of the maps in memory; the least recently used are removed.
     static constexpr std::uint64_t kMaxDiskBytes = 512ull << 20, kMaxMemoryBytes = 256ull << 20;
 
-    /// Returns the light map of a task: from memory, from disk, or baked now and stored in both. A file that is
-    /// damaged, or written by another version of the program, is baked again. LightMap::remark reports that, and failed
-    /// writes.
+    /// Returns the light map of a task: from memory, from disk, or baked now and stored in both. A damaged file, or one
+    /// of another version of the program, is replaced by a newly baked map. LightMap::remark reports such files and
+    /// failed writes.
     /// @throws Cancelled, without storing anything; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
-    /// Sets the folder in which baked light maps are stored on disk. The first write creates it. Empty: none are
-    /// stored.
-    /// @param max_bytes limit of all its files together; the least recently used are removed
+    /// Sets the folder in which baked light maps are stored on disk. The first write creates the folder.
+    /// @param folder empty: light maps are not stored on disk
+    /// @param max_bytes limit of all light map files together; the least recently used are removed
     void set_disk_folder(std::filesystem::path folder, std::uint64_t max_bytes = kMaxDiskBytes);
     /// Removes all light maps from memory. Files on disk stay.
     void clear();
@@ -43,7 +43,7 @@ private:
         std::shared_ptr<const LightMap> map;
     };
     mutable std::mutex mutex_;
-    std::list<Known> known_;  ///< the newest first
+    std::list<Known> known_;  ///< most recently used first
     std::filesystem::path folder_;
     std::uint64_t max_bytes_ = kMaxDiskBytes;
     Counts counts_;

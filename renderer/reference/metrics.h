@@ -24,15 +24,15 @@ struct ClassifiedPixel {
         kOutside = shared::OUTSIDE,  ///< the map does not cover the surface
         kAnyAcne = shared::ANY_ACNE,
         kWithinNoise = shared::WITHIN_NOISE,  ///< on the other side of 0.5 than the reference, but within its noise
-        kFaint = shared::FAINT,  ///< fully lit in the reference and slightly darker in the picture, not wrong
+        kFaint = shared::FAINT,               ///< fully lit in the reference, darker in the picture, but not wrong
         kCounts = shared::COUNTS,
-        kSeam = shared::SEAM,  ///< Cause::seam
+        kSeam = shared::SEAM,  ///< taps reach beyond the map's sides: Cause::seam
     };
     static constexpr int kAlsoShift = shared::ALSO_SHIFT;
     Artefact artefact = Artefact::None;
     std::uint32_t bits = 0;
     float visibility = 1;
-    bool any_leak = false;  ///< light in the umbra: umbra_of(), and `visibility` above VISIBLE_ERROR
+    bool any_leak = false;  ///< light in the umbra: umbra_of() is 1, and `visibility` exceeds VISIBLE_ERROR
     /// Returns further causes of the pixel's error: bits as in Cause::also.
     std::uint32_t also() const { return bits >> kAlsoShift; }
     /// Returns true when the classified pixel has flag `b`.
@@ -57,8 +57,8 @@ ReferencePixel reference_pixel(const Reference& reference, std::size_t i);
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
 /// Error metrics of a picture's visibility V against the reference R over the n counted pixels (PixelState::Counted).
-/// metrics() has a row that describes each number. A visibility below 0.5 is shadow. Fractions are of n, and 0 when n
-/// is 0. False shadow and false light are the sums of their parts. `flip` compares pictures over all pixels.
+/// metrics() has a row that describes each number. A visibility below 0.5 is shadow. Fractions are relative to n, and 0
+/// when n is 0. False shadow and false light are the sums of their parts. `flip` compares pictures over all pixels.
 struct ErrorMetrics {
     std::size_t counted = 0;
     double false_shadow = 0, false_light = 0, acne = 0, leak = 0, light_bleeding = 0, bias_false_light = 0,
@@ -68,7 +68,7 @@ struct ErrorMetrics {
            boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0, flip = std::numeric_limits<double>::quiet_NaN();
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
     std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
-    std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
+    std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all other pixels
     std::size_t without_cause = 0;                    ///< wrong pixels whose causes were not looked for
 };
 
@@ -76,8 +76,8 @@ struct ErrorMetrics {
 enum class Better {
     Less,
     NearZero,  ///< for signed metrics
-    More,      ///< at most 1
-    Neither,   ///< neutral fact
+    More,      ///< larger is better, 1 is best
+    Neither,   ///< neither direction is better
 };
 
 /// Returns the distance of an error metric's value from its best value, so that less is better; NaN for
@@ -86,24 +86,24 @@ double distance_from_best(Better better, double value);
 
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 /// Error metric: its key, unit, formula and value. JSON, tables, plots, searches and the documentation are generated
-/// from the table of these rows.
+/// from the table metrics().
 struct Metric {
-    std::string_view key;  ///< field of `error` in JSON, its objects' fields after a dot
+    std::string_view key;  ///< path of its field within `error` in JSON, such as "artefacts.filter"
     std::string_view label;
     std::string_view unit = kShareOfPixels;  ///< kShareOfPixels, kOfVisibility, "px" or none
     std::string_view help;                   ///< a sentence
     std::string_view formula;                ///< V: visibility by the map, R: by the reference, n: counted pixels
     std::string_view paper = {};
-    double ErrorMetrics::*member = nullptr;  ///< none: counts wrong pixels by `causes`
+    double ErrorMetrics::*member = nullptr;  ///< field with the value; null: value() counts pixels by `causes`
     Better better = Better::Less;
     std::string_view part_of = {};  ///< key of the metric of which this is a summand
-    std::string_view part = {};     ///< label below that metric
-    /// Kind of wrong pixels, among those with a cause in `causes`, that a metric counts: false shadow, false light, or
-    /// both.
+    std::string_view part = {};     ///< label below the metric `part_of`
+    /// Kind of wrong pixels, among those with a cause in `causes`, that a metric counts as a fraction: false shadow,
+    /// false light, or both. Otherwise: the metric is computed in another way.
     enum class Counts { Otherwise, Dark, Bright, Wrong };
     Counts counts = Counts::Otherwise;
     std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause; see kAllCauses
-    bool rare = false;         ///< shown to people only when not 0
+    bool rare = false;         ///< panels and printed tables omit the metric while it is 0
     bool cpu_only = false;     ///< needs rays or contours, which the GPU's sums cannot provide: NaN in LiveError
     bool of_pictures = false;  ///< compares pictures, see MeasuredError::pictures: NaN where none were drawn
 
@@ -122,7 +122,7 @@ const Metric* find_metric(std::string_view key);
 /// Sums over the counted pixels of a picture, from which metrics_of() computes error metrics. The GPU computes the sums
 /// by tile (shaders/passes/error_tiles.frag.glsl).
 struct PixelSums {
-    std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow and false light by cause; None: without one
+    std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow, false light by cause; None: no cause
     double outside = 0, any_acne = 0, visible_acne = 0, any_leak = 0, within_noise = 0;
     double absolute = 0, squares = 0, sum = 0;  ///< sums of |V - R|, its square, V - R
     double both = 0, either = 0;                ///< pixels in shadow by V and R, and by at least one of them
@@ -135,7 +135,7 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 /// Computes error metrics from classified pixels and their reference.
 /// @param classified the class of each pixel of the reference
 /// @param receivers surface points of the reference's pixels: a change between lit and dark is a shadow edge only
-/// between neighbours that show the same surface. Null: all do.
+/// between neighbours that show the same surface. Null: all neighbours count as one surface.
 /// @throws Error when sizes differ
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
                            const Receivers* receivers = nullptr);

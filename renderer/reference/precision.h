@@ -23,7 +23,7 @@ struct PrecisionSpread {
 /// Rounding errors of a picture's map look-ups in single precision: an image by pixel, and distributions over all
 /// pixels.
 struct Precision {
-    FloatImage error;        ///< two channels: texels, steps of a 32-bit depth; NaN: no look-up
+    FloatImage error;        ///< two channels: position error in texels, depth error in ULPs; NaN: no look-up
     std::size_t pixels = 0;  ///< number of pixels with a look-up
     /// Distance in the map from the look-up to the point where the pixel's ray meets its triangle, in texels. Includes
     /// the rasteriser's snapping of corners to parts of a pixel.

@@ -33,7 +33,7 @@ private:
     /// Entry of the cache: a ray-tracing hierarchy, and the lock that is held while it is built.
     struct Entry {
         std::timed_mutex building;
-        std::weak_ptr<const ReferenceScene> scene;  ///< under RaySceneCache::mutex_
+        std::weak_ptr<const ReferenceScene> scene;  ///< guarded by RaySceneCache::mutex_
     };
     mutable std::mutex mutex_;
     std::map<std::uint64_t, std::shared_ptr<Entry>> entries_;

@@ -17,17 +17,18 @@ struct Receiver {
     static constexpr std::uint32_t kNothing = 0xffffffff;
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0};  ///< unit normal of the triangle, on the camera's side
-    float edge_m = 0;         ///< the triangle's longest edge
+    float edge_m = 0;         ///< length of the triangle's longest edge, metres
     std::uint32_t object = kNothing, primitive = 0;
     bool front = true;  ///< the camera sees the triangle's front face
-    /// The right and the lower neighbour pixel show the same surface: neither point lies off the other's plane.
+    /// True when the right, or the lower, neighbour pixel shows the same surface: each of the two points lies near the
+    /// plane of the other.
     bool same_surface_right = false, same_surface_below = false;
     /// Returns true when the receiver's pixel shows a surface.
     bool hit() const { return object != kNothing; }
 };
 
-/// Returns the start of shadow rays from a receiver, in the unit frame (UnitFrame). The point is shifted off its
-/// surface by the largest rounding error of single precision, so that a ray does not hit it.
+/// Returns the start of shadow rays from a receiver, in the unit frame (UnitFrame). The start is shifted off the
+/// surface by a bound of the single-precision rounding error, so that rays do not hit the receiver's own surface.
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& receiver);
 
 /// Compact copy of a receiver for tracing, half as large, with all that most shadow rays need.
@@ -41,7 +42,7 @@ struct RayStart {
 struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
-    BigArray<RayStart> starts = {};  ///< one per pixel, or empty: traces then take longer
+    BigArray<RayStart> starts = {};  ///< one per pixel; may be empty, but traces then take longer
     TrackedMemory held = {};         ///< bytes of both arrays
     /// Returns the surface point of pixel (x, y), counted from the top left.
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }

@@ -26,7 +26,7 @@ namespace si {
 enum class PixelState : std::uint8_t {
     Counted,           ///< faces the light and lies in its cone and range
     Background,        ///< shows no surface
-    FacesAway,         ///< faces_light(N_g.L) is false: dark without any occluder
+    FacesAway,         ///< visible side faces away from the light (faces_light()): dark without any occluder
     OutsideCone,       ///< outside a spot light's cone
     NotReceiving,      ///< object.PATH.receive is off
     BeyondRange,       ///< beyond the range of a spot or point light, in its cone
@@ -40,11 +40,11 @@ constexpr bool is_traced(PixelState s) {
 
 /// Options for tracing a reference: kind of light, culling, number of rays and resolution.
 struct ReferenceOptions {
-    bool area = false;           ///< area light of the light's size; else a point or a direction
+    bool area = false;           ///< true: area light of the light's size; false: point or parallel light
     bool as_rasterised = false;  ///< faces that culling removes from the shadow map cast no shadow here either
-    int samples = 1024;          ///< area: most rays per pixel; in penumbrae 64, and more while noisy
-    int first_samples = 8;       ///< area: rays of every pixel; more follow where these or a neighbour's disagree
-    double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
+    int samples = 1024;          ///< area light: most rays per pixel; penumbrae take 64, and more while noisy
+    int first_samples = 8;       ///< area light: first rays per pixel; more where they or a neighbour's disagree
+    double noise = 0.005;        ///< area light: target standard error of a pixel's visibility
     bool nearest = true;         ///< compute Reference::nearest_m and blocker_m
     int step = 1;                ///< pixels of the picture per pixel of the reference, across and down
     bool operator==(const ReferenceOptions&) const = default;
@@ -62,7 +62,7 @@ struct ReferenceQuery {
     ReferenceOptions options;
 };
 
-/// Makes the query for the reference of one light of a frame. @throws Error when there is no such light
+/// Collects the input of trace_visibility() for one light of a frame. @throws Error when there is no such light
 ReferenceQuery reference_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                                int light, const ReferenceOptions& options = {});
 
@@ -77,31 +77,30 @@ struct SamplesUsed {
 struct Reference {
     int width = 0, height = 0;
     int step = 1;  ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
-    std::vector<ObjectTraits> traits;  ///< of the traced scene's objects
+    std::vector<ObjectTraits> traits;  ///< by object of the traced scene
     std::vector<PixelState> state;     ///< top row first, as all images here
-    /// Visibility, 1 lit to 0 in shadow. Pixels that do not count: 1 (Background, NotReceiving), 0 (FacesAway,
-    /// ShadowTerminator), or the
-    /// traced value (OutsideCone, BeyondRange), as in the shadow-mapped visibility.
+    /// Visibility, 1 lit to 0 in shadow. Pixels that are not counted: 1 (Background, NotReceiving), 0 (FacesAway,
+    /// ShadowTerminator), or the traced value (OutsideCone, BeyondRange), as in the shadow-mapped visibility.
     FloatImage visibility;
-    FloatImage point_visibility;  ///< area: visibility of a light without size; see hard()
-    /// Area: estimated standard error of `visibility`; 0 where that is exact, NaN where unknown (no two neighbouring
-    /// samples on the light). Otherwise empty.
+    FloatImage point_visibility;  ///< area light: visibility of a light without size, see hard(); else empty
+    /// Area light: estimated standard error of `visibility`; 0 where all samples agree, NaN where there are too few.
+    /// Empty for other lights.
     FloatImage standard_error;
-    /// Distance in metres along the pixel's light ray from its surface to the occluder nearest the light, which a
-    /// shadow map stores: with the culling of casters, beyond the map's near plane. NaN without an occluder. Empty
-    /// without ReferenceOptions::nearest.
+    /// Distance in metres from the pixel's surface, towards the light's centre, to the occluder that the shadow map
+    /// stores: the one nearest the light. Culled faces, and casters in front of the map's near plane, do not count. NaN
+    /// without an occluder. Empty without ReferenceOptions::nearest.
     FloatImage nearest_m;
-    /// Distance as nearest_m, but over all casters from both sides, without culling and near plane: the content of a
-    /// map that loses no caster. NaN where the surface is lit. Empty without ReferenceOptions::nearest.
+    /// Distance like nearest_m, but over all casters from both sides, without culling and near plane: the content of a
+    /// map that loses no caster. NaN where a light without size is visible. Empty without ReferenceOptions::nearest.
     FloatImage blocker_m;
-    std::array<std::size_t, kPixelStates> pixels{};  ///< per state
-    std::size_t on_ground = 0;                       ///< counted pixels of the ground disc under a model
+    std::array<std::size_t, kPixelStates> pixels{};  ///< number of pixels per state
+    std::size_t on_ground = 0;                       ///< counted pixels on the ground disc under a model
     std::uint64_t rays = 0;                          ///< number of rays to the light
-    /// Area: root mean square of the known standard errors of counted pixels; NaN when none is known.
+    /// Area light: root mean square of the known standard errors of counted pixels; NaN when none is known.
     double noise = 0;
-    std::size_t noise_unknown = 0;  ///< area: counted pixels whose standard error is unknown
+    std::size_t noise_unknown = 0;  ///< area light: counted pixels whose standard error is unknown
     SamplesUsed samples;
-    std::size_t partial = 0;  ///< area: counted pixels in penumbra
+    std::size_t partial = 0;  ///< area light: counted pixels in penumbra
 
     TrackedMemory held = {};  ///< bytes of all images
 
@@ -113,13 +112,13 @@ struct Reference {
     bool is_area() const { return !standard_error.data.empty(); }
 };
 
-/// Caster that shadows a receiver, but that the shadow map does not hold.
+/// Caster that shadows a receiver, but that is missing from the shadow map.
 struct MissingCaster {
     std::uint32_t object = 0;  ///< index in ReferenceGeometry::objects
-    bool culled = false;       ///< face culling left it out; else the near plane
+    bool culled = false;       ///< true: face culling left the caster out; false: the near plane did
 };
-/// Finds a caster that shadows a receiver, but that face culling or the near plane kept out of the shadow map. Of
-/// several it is the one nearest the light; nullopt: none.
+/// Finds a caster that shadows a receiver, but that face culling or the near plane kept out of the shadow map. Returns
+/// the one nearest the light if there are several; nullopt without any.
 /// @param query light, culling and views of the map
 std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const Receiver& receiver,
                                             const ReferenceQuery& query);
@@ -128,12 +127,13 @@ std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const R
 /// for a light without size.
 std::string noise_text(const Reference& reference);
 
-/// Function that receives each tile as it is traced, on the tracing threads. @param so_far reference in work, of which
-/// the tile is finished @param first the tile's upper left pixel @param end the pixel after its lower right one
+/// Callback after each traced tile, called on the tracing threads. @param so_far unfinished reference, in which the
+/// tile's pixels are set @param first the tile's upper left pixel @param end the pixel after the tile's lower right one
 using TileDone = std::function<void(const Reference& so_far, glm::ivec2 first, glm::ivec2 end)>;
 
 /// Traces the reference for every receiver. The result does not depend on the number of threads.
-/// @param tile_done called after each tile; empty: nobody watches @throws Cancelled
+/// @param tile_done called after each tile; empty: no callback
+/// @throws Cancelled; Error when `query` and `scene` have different numbers of objects
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
                            const Workers& workers, const TileDone& tile_done = {});
 

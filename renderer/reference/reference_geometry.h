@@ -18,10 +18,10 @@ namespace si {
 
 /// Mesh for ray tracing: triangles and, for masked materials, an alpha test.
 struct ReferenceMesh {
-    SharedArray<glm::vec3> positions;  ///< shared with the scene: deformed, without degenerate triangles
-    SharedArray<glm::vec3> normals;    ///< smooth normals of the vertices, of any length
+    SharedArray<glm::vec3> positions;  ///< shared with the scene, after deformation
+    SharedArray<glm::vec3> normals;    ///< smooth vertex normals, not normalised; may be empty
     SharedArray<std::uint32_t> indices;
-    std::unique_ptr<const AlphaMask> mask;  ///< null: solid
+    std::unique_ptr<const AlphaMask> mask;  ///< alpha test; null: none, all points are solid
     /// Returns the number of triangles.
     std::size_t triangles() const { return indices.size() / 3; }
 };
@@ -32,14 +32,14 @@ struct ReferenceObject {
     glm::dmat4 world{1.0};
     bool casts = true;
     bool ground = false;  ///< Object::ground
-    std::string path;     ///< of its node
+    std::string path;     ///< path of the object's node
 };
 
 /// Corners of a triangle in world space, in double precision: the object's transform is not rounded.
 using TriangleWs = std::array<glm::dvec3, 3>;
 
-/// Unit frame: coordinates in which the scene is centred and about one unit long, scaled by a power of two.
-/// Single-precision rays keep their accuracy there at any scale and distance from the origin.
+/// Unit frame: coordinates in which the scene is centred and about one unit long, scaled by a power of two. In these
+/// coordinates single-precision rays are accurate for scenes of any size and distance from the world's origin.
 struct UnitFrame {
     glm::dvec3 centre{0};
     double scale = 1;  ///< unit lengths per metre
@@ -51,9 +51,10 @@ struct UnitFrame {
 struct ReferenceGeometry {
     std::vector<ReferenceObject> objects;
     Bounds bounds;
-    glm::dvec3 centre{0};  ///< of the scene's main part
+    glm::dvec3 centre{0};  ///< centre of the scene's main part, world space
     std::uint64_t key = 0;
 
+    /// Collects the triangles of a scene for ray tracing. Vertex arrays are shared with the scene, not copied.
     ReferenceGeometry(const Scene& scene, const Settings& settings);
     /// Returns the number of triangles of all objects that cast shadows. Each instance of a mesh counts.
     std::size_t caster_triangles() const;

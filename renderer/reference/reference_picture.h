@@ -12,16 +12,17 @@
 
 namespace si {
 
-/// Traced reference as an input of a frame, which compares its shadows with it pixel by pixel.
+/// Traced reference as an input of a frame, for comparison with the frame's shadows or as their source.
 struct ReferencePicture {
     std::uint64_t key = 0;      ///< reference_key() of the frames that may use it
     std::uint64_t version = 0;  ///< unique per content
     int step = 1;               ///< pixels of the frame per pixel of the reference
     TracedReference traced;
-    std::optional<ReferenceOptions> options;  ///< override truth.* of the settings
+    std::optional<ReferenceOptions> options;  ///< replace the settings truth.*; nullopt: truth.* apply
 };
 
-/// Wraps a traced reference as input of frames. @param options override reference_options() of the frames' settings
+/// Wraps a traced reference as input of frames.
+/// @param options replace the settings truth.* of the frames; nullopt: truth.* apply
 std::shared_ptr<const ReferencePicture> reference_picture(const ReferenceTask& task, const TracedReference& traced,
                                                           const std::optional<ReferenceOptions>& options = {});
 

@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Object that casts shadows, in the ray-tracing hierarchy. Its index is the id of its Embree geometry or instance.
+/// Object that casts shadows, in the ray-tracing hierarchy. The index in RayHierarchy::casters is the id of the
+/// object's Embree geometry or instance.
 struct Caster {
     std::uint32_t object = 0;
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
@@ -19,20 +20,20 @@ struct Caster {
 /// Ray-tracing hierarchy of a scene's casters in Embree. Coordinates are those of UnitFrame: moved to the scene's
 /// centre and scaled to about unit size.
 struct RayHierarchy : UnitFrame {
-    TrackedMemory held{"hierarchies of rays", 0};  ///< bytes of Embree; first member, as `device` reports until deleted
+    TrackedMemory held{"hierarchies of rays", 0};  ///< bytes of Embree; declared before `device`, which updates it
     embree::Device device;
-    std::vector<embree::Scene> meshes;  ///< instanced meshes
+    std::vector<embree::Scene> meshes;  ///< one scene for each instanced mesh
     embree::Scene scene;
     std::vector<Caster> casters;
     const ReferenceGeometry* geometry = nullptr;
-    double radius = 1;  ///< radius of the scene, unit lengths
+    double radius = 1;  ///< radius of the scene in the unit frame
     std::size_t triangles = 0, instances = 0;
 };
 
 /// Shadow ray at a grazing angle to its receiver, for which single precision is not enough. Its hits are tested again
 /// in double precision, without the receiver's own triangle.
 struct ExactRay {
-    glm::dvec3 origin{0}, direction{0};  ///< unit frame, unit length
+    glm::dvec3 origin{0}, direction{0};  ///< in the unit frame; direction of unit length
     double length = 0;
     std::uint32_t object = 0, primitive = 0;
 };
@@ -43,10 +44,11 @@ inline constexpr double kGrazingCosine = 1e-3;
 /// rays.
 struct HitRules {
     std::span<const ObjectTraits> culls;  ///< one per object; empty: every face counts
-    std::span<const ExactRay> exact;      ///< index: the ray's id; empty: none
+    std::span<const ExactRay> exact;      ///< indexed by the ray's id; empty: no ray is grazing
 };
 
-/// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
+/// Makes an Embree ray segment from `origin` to origin + length * direction.
+/// @param id the caller's number of the ray; also the index in HitRules::exact, unless that span is empty
 inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
     // In Embree's order: origin, nearest t, direction, time, farthest t, mask, id, flags.
     return {origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, length, ~0u, id, 0};
@@ -59,8 +61,8 @@ void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitR
 
 /// Intersection of a ray with a caster's triangle.
 struct Hit {
-    float t = 0;          ///< distance in lengths of the ray's direction
-    bool culled = false;  ///< removed by HitRules::culls
+    float t = 0;          ///< distance from the ray's origin, in lengths of its direction vector
+    bool culled = false;  ///< true: face culling by HitRules::culls removes the hit face
     std::uint32_t object = 0;
     std::uint32_t primitive = 0;  ///< triangle within the object
 };

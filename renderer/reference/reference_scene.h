@@ -26,7 +26,8 @@ class ReferenceScene {
 public:
     static constexpr std::size_t kMaxFlattenedTriangles = 4'000'000;
 
-    /// Builds the hierarchy. @throws Error when memory runs out; Cancelled
+    /// Builds the ray-tracing hierarchy over the casters of a geometry. @throws Error when Embree fails, such as for
+    /// lack of memory; Cancelled
     explicit ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers = {},
                             Instancing instancing = Instancing::Automatic);
     ~ReferenceScene();

@@ -27,13 +27,13 @@ struct ReferenceTask {
     ReferenceQuery query;
     std::vector<FittedLight> lights;  ///< lights of the frame
     MapSize map_size;
-    std::shared_ptr<TracedSoFar> so_far;  ///< receives pixels as they are traced; null: nobody watches
+    std::shared_ptr<TracedSoFar> so_far;  ///< receives pixels as they are traced; null: progress is not shown
     std::uint64_t receivers_key = 0;
     std::uint64_t key = 0;  ///< reference_key(): scene, objects, camera, size, light, options; not the map's resolution
 };
 
-/// Returns the cache key of the reference of one light in one picture. 0 when there is no such light.
-/// @param width,height of the picture, pixels @param light index of light.*
+/// Returns the cache key of the reference of one light for one picture. 0 when there is no such light.
+/// @param width,height size of the picture, pixels @param light index in `lights`
 std::uint64_t reference_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
                             const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options);
 
@@ -44,7 +44,7 @@ FloatImage subsample(FloatImage image, int step);
 /// with a hierarchy in ray_scenes(), not copied.
 /// @param frame a frame drawn in a picture of `width` x `height` pixels
 /// @param ids triangles of all pixels: FrameResult::surface_ids read back
-/// @param light index of light.*
+/// @param light index in FrameResult::lights
 /// @throws Error when there is no such light
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
                              const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
@@ -58,9 +58,9 @@ struct TracedReference {
     std::shared_ptr<const Reference> reference;
     std::shared_ptr<const ShadowRuns> runs;
     std::shared_ptr<const ReferenceQuery> query;      ///< sizes of its views may be those of an earlier frame
-    std::shared_ptr<UmbraCache> umbra;                ///< memory of umbra_of()
+    std::shared_ptr<UmbraCache> umbra;                ///< cache of umbra_of()
     std::uint64_t version = 0;                        ///< unique per content of reference and runs, by next_version()
-    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
+    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time of hierarchy, receivers, rays; 0: cached
 };
 
 /// Cache of the last traced references, with their receivers and ray-tracing hierarchy. Used by one thread at a time.
@@ -75,7 +75,7 @@ public:
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:
-    static constexpr std::size_t kMaxReferences = 4;  ///< references: hard and area of two lights
+    static constexpr std::size_t kMaxReferences = 4;  ///< for two lights, each without size and as an area light
     std::shared_ptr<const ReferenceScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
@@ -88,7 +88,7 @@ private:
         std::shared_ptr<UmbraCache> umbra;
         std::uint64_t version = 0;
     };
-    std::list<Known> references_;  ///< latest first
+    std::list<Known> references_;  ///< most recently used first
 };
 
 }  // namespace si

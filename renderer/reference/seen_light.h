@@ -18,7 +18,7 @@ enum class Seen : std::uint8_t {
     Lit
 };
 
-/// Estimate of the visible share of an area light, from samples, and its standard error; NaN: unknown.
+/// Estimate of the visible share of an area light from samples, with its standard error (NaN: unknown).
 struct Estimate {
     double visibility = 1, error = 0;
     std::size_t samples = 0, rays = 0;
@@ -26,9 +26,9 @@ struct Estimate {
 
 /// Area light as one surface point sees it, for estimating its visible share with few rays: a grid of 2^n equal cells.
 /// A cell has the state of its own sample point. A cell without a sample takes the state of the larger cell from which
-/// it was halved; all neighbours of the larger cell then had the same state. So the samples that a finer grid takes
-/// grow with the length of the shadow's edge on the light, not with its area. Where shadows seem narrower than cells,
-/// all cells are sampled.
+/// it was halved; all neighbours of the larger cell then had the same state. Therefore the number of samples
+/// grows with the length of the shadow's edge on the light, not with the light's area. Where shadows seem narrower than
+/// cells, all cells are sampled.
 class SeenLight {
 public:
     /// Starts the grid on the light with the results of the first shadow rays.
@@ -44,7 +44,7 @@ public:
     /// Stores the results of the sample points that halve() returned, after they were traced.
     void set_wanted(std::span<const Seen> seen);
 
-    /// Returns the number of samples that a grid of this size takes when every cell is sampled.
+    /// Returns the number of samples that the current grid would have if every cell were sampled.
     std::uint32_t fineness() const { return fineness_; }
 
     /// Estimates the visible share of the light from all samples so far. Only the part of the light above the surface's
@@ -53,14 +53,14 @@ public:
     Estimate estimate(double hard) const;
 
 private:
-    /// A bit for each cell of the grid. Rows start at words.
+    /// Set of bits, one per cell of the grid. Each row of cells begins with a new word.
     using Bits = std::vector<std::uint64_t>;
 
     int digits_ = 0;  ///< the grid has 2^digits_ cells
     std::uint32_t fineness_ = 0;
     std::size_t taken_ = 0;              ///< number of samples
-    std::vector<std::uint32_t> point_;   ///< by cell: the sample point in it
-    std::vector<std::uint8_t> sampled_;  ///< by sample point: 1: traced
+    std::vector<std::uint32_t> point_;   ///< by cell: index of the sample point in the cell
+    std::vector<std::uint8_t> sampled_;  ///< by sample point: 1 if it was traced, else 0
     Bits lit_, above_;
     Bits to_halve_, differ_, scratch_;
     std::vector<std::uint32_t> wanted_, wanted_cells_;  ///< sample points to trace, and their cells
@@ -82,13 +82,13 @@ private:
     /// Returns the index of the word with the bits of the grid cells one row below; in the last row `word` itself.
     /// @param word index of a word in a set of bits, one bit a cell
     std::size_t row_below(std::size_t word) const;
-    /// Returns, for the grid cells of one word, the bits of their left neighbours. A cell at the border has its own
-    /// bit.
+    /// Returns, for the grid cells of one word, the bits of their left neighbours. A cell at the border gets its own
+    /// bit in place of a neighbour's.
     /// @param bits one bit for each cell of the light's grid
     /// @param word index of the word
     std::uint64_t left(const Bits& bits, std::size_t word) const;
-    /// Returns, for the grid cells of one word, the bits of their right neighbours. A cell at the border has its own
-    /// bit.
+    /// Returns, for the grid cells of one word, the bits of their right neighbours. A cell at the border gets its own
+    /// bit in place of a neighbour's.
     /// @param bits one bit for each cell of the light's grid
     /// @param word index of the word
     std::uint64_t right(const Bits& bits, std::size_t word) const;
@@ -103,8 +103,8 @@ private:
     /// Returns true when shadows on the light, or gaps between them, seem narrower than cells: several cells differ
     /// from all four neighbours, or most cells of the rarer state lie in no 2x2 square of that state.
     bool has_narrow_shadows();
-    /// Returns a bit for each cell of the light's grid that is above the surface's horizon. Cells are left out that
-    /// have no sample because the sample points ran out.
+    /// Returns the bits of the cells of the light's grid above the surface's horizon. Cells that have no sample,
+    /// since the limit of sample points (fineness()) was reached, are left out.
     Bits own_samples() const;
 };
 

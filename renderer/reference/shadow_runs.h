@@ -16,22 +16,22 @@ namespace si {
 /// the reference of a light without size. Infinite where the reference does not change within kRunReach pixels, or up
 /// to the end of the surface.
 struct ShadowRuns {
-    /// Smallest texel that is too wide for the pixel: wider than the pixel's own run, or spanning from it across a
-    /// narrower neighbouring run (a thin bar's shadow next to a lit pixel).
+    /// Limit of the texel width for the pixel. A wider texel exceeds the pixel's own run, or reaches from the pixel
+    /// across a narrower neighbouring run (such as a thin bar's shadow next to a lit pixel).
     FloatImage run_m;
     FloatImage edge_m;  ///< distance to the nearest change of the reference along either axis
 };
 
-/// Search distance for shadow runs, in pixels of the reference on either side. Texels wider than this in the picture
-/// find no narrower run.
+/// Search distance for the ends of a shadow run, in pixels of the reference on either side. The width of a longer run
+/// counts as infinite.
 inline constexpr int kRunReach = 64;
 
 /// Measures the widths of lit and shadowed stretches in a reference, from pixel to pixel along the surface that the
 /// camera sees. Continues behind objects that occlude a part of the surface. Traces no rays. A part of a picture gives
 /// the same numbers as the whole if it extends kRunReach pixels around a pixel.
 /// @param raster pixels of the picture that the reference samples
-/// @param query query that the reference answers. Widths are measured across the views of its shadow map; they are
-/// infinite if it has no views.
+/// @param query query from which the reference was traced. Widths are measured along the axes of ReferenceQuery::views,
+/// and are infinite without views.
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);

@@ -12,11 +12,11 @@
 namespace si {
 
 /// Visibility of all pixels that a running trace has finished so far, for showing the reference while it is traced.
-/// Tracing threads add tiles while another thread reads. Pixels of an area light are added again with less noise.
+/// Tracing threads add tiles while another thread reads. Under an area light, tiles are added again with less noise.
 class TracedSoFar {
 public:
-    /// Adds the visibility of one tile's pixels from a reference that is still being traced. All added tiles come from
-    /// references of one size.
+    /// Adds the visibility of one tile's pixels from a reference that is still being traced. References of all calls
+    /// must have equal sizes.
     /// @param first the tile's upper left pixel
     /// @param end the pixel after the tile's lower right one
     void add_tile(const Reference& reference, glm::ivec2 first, glm::ivec2 end);

@@ -9,10 +9,10 @@
 
 namespace si {
 
-/// Finds the pixels in full shadow (umbra) together with everything that a shadow kernel reads around them. Light there
-/// is a leak. The reference is 0 at such a pixel, and at 8 points around it on the plane of its surface. The points are
-/// the corners and side centres of a square of `reach_texels` to either side, along the axes of the light's map; in a
-/// blend of two maps those of the coarser one. Rays are traced to the points. Known results come from
+/// Finds the pixels whose surroundings, as far as a shadow kernel reads, lie in full shadow (umbra). Light at these
+/// pixels is a leak. The reference must be 0 at the pixel, and at 8 points around it on the plane of its surface: the
+/// corners and side centres of a square that extends `reach_texels` to each side along the axes of the light's map.
+/// Where two maps are blended, the coarser map counts. Traces rays for the points, and caches results in
 /// TracedReference::umbra.
 /// @param light the light of the frame; without views only the pixel itself is tested
 /// @param size texels of the light's maps

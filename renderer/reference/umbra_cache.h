@@ -11,13 +11,13 @@ namespace si {
 /// maps. Any thread may use it.
 class UmbraCache {
 public:
-    /// Pixel of the umbra's image.
+    /// State of one pixel: outside or inside the umbra, or not yet known.
     enum class State : std::uint8_t { Unknown, Outside, Inside };
     /// Returns which pixels are known to lie inside or outside the umbra; Unknown where no ray was traced yet.
     /// @param key hash of the kernel's reach and of the map
     /// @param pixels number of pixels of the reference
     std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
-    /// Keeps which pixels lie inside or outside the umbra, for find(). @param key as for find()
+    /// Stores which pixels lie inside or outside the umbra, for find(). @param key as for find()
     void store(std::uint64_t key, std::vector<State> states);
 
 private:
@@ -29,7 +29,7 @@ private:
         std::vector<State> states;
     };
     mutable std::mutex lock_;
-    std::vector<Known> known_;  ///< latest last
+    std::vector<Known> known_;  ///< most recently stored last
 };
 
 }  // namespace si
