@@ -22,13 +22,13 @@ enum class Artefact : std::uint8_t {
     None,                ///< right, or not counted
     Acne,                ///< false shadow: the surface shadows itself; more bias makes it right
     PeterPanning,        ///< false light: less depth bias makes it right
-    Leak,                ///< false light: the nearest unfiltered texel at its own least bias is right
+    Leak,                ///< false light: right with the nearest texel alone, unfiltered, at its least bias
     EdgeAliasing,        ///< no change of bias, offset or filter makes it right: the map's resolution is the cause
     OutsideMap,          ///< wrong outside the map, or where taps reach beyond its sides
     LostCaster,          ///< false light: culling, the near plane or a mask's mip level removed the caster from the map
     PeterPanningOffset,  ///< false light: right without the normal offset
     OffsetShadow,        ///< false shadow: right without the normal offset
-    Filter,              ///< false shadow: the nearest unfiltered texel at its own least bias is right
+    Filter,              ///< false shadow: right with the nearest texel alone, unfiltered, at its least bias
     Undersampled,        ///< EdgeAliasing where the shadow or the lit gap is narrower than a texel
     Penumbra,            ///< right for a light without size
     // From here on never in Cause::also, whose bits are full.
@@ -46,25 +46,25 @@ inline constexpr std::size_t kArtefacts = 16;
 struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
                            kLedOutside = shared::PLACE_OFFSET_OUTSIDE;
-    float place = kInside;  ///< position relative to the map; kLedOutside: only the normal offset leaves the map
+    float place = kInside;  ///< position relative to the map; kLedOutside: outside only by the normal offset
     float visibility = 1;   ///< drawn visibility
     float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark
-    float least = 0, least_nearest = 0;     ///< least depth bias of the kernel, and of one nearest tap
-    float equivalent_bias = 0;              ///< equivalent depth bias, all kinds of bias together
+    float least = 0, least_nearest = 0;     ///< least depth bias without acne: of the kernel, of one nearest tap
+    float equivalent_bias = 0;              ///< all kinds of bias, as a depth bias with equal effect on acne
     float applied = 0;                      ///< shift of the compared depth towards the light
-    float slack = 0;                        ///< change of the plane's depth over the kernel's reach
+    float slack = 0;                        ///< change of the receiver plane's depth over the kernel's reach
     float own = 0, offset = 0;              ///< constant or slope bias; equivalent depth bias of the normal offset
     float texel_m = 0;                      ///< texel size at the pixel, metres
-    float bent = 0, far = 0;  ///< bias of the trials for surfaces that rise next to the plane, and for distant casters
-    float strip_bias_m = 0, strip_offset_m = 0;  ///< lit strips that bias and normal offset leave, metres
+    float bent = 0, far = 0;  ///< bias of two trials: for surfaces that rise next to the plane, for distant casters
+    float strip_bias_m = 0, strip_offset_m = 0;  ///< widths of the lit strips left by bias, by normal offset
     float least_kept = 1, least_bare = 1;        ///< visibility at the least bias, with and without normal offset
     float own_bare = 1, far_bare = 1;            ///< visibility without normal offset, by bias `own` and `far`
     float raised = 1, bent_raised = 1;           ///< visibility with all bias raised to `least`, to `bent`
     float nearest_kept = 1, nearest_bare = 1;  ///< nearest unfiltered texel at its least bias, with and without offset
-    float nearest_own_bare = 1;                ///< nearest unfiltered texel without offset, by bias `own`
-    float unfiltered = 1;                      ///< the kernel on the unfiltered map
+    float nearest_own_bare = 1;                ///< visibility by the nearest unfiltered texel, bias `own`, no offset
+    float unfiltered = 1;                      ///< visibility by the kernel on the unfiltered map
     float curing = 0, unused = 0;              ///< least equivalent depth bias at which the pixel is lit; padding
-    float gap_drawn = 0, gap_all = 0;  ///< depth up to the surface nearest the light: as drawn, and of all casters
+    float gap_drawn = 0, gap_all = 0;  ///< depth to the surface nearest the light: as drawn, of all casters; 0: none
     float run_m = 0, edge_m = 0;       ///< ShadowRuns, metres
 };
 /// Number of RGBA32F images that hold the CauseEvidence of all pixels.
@@ -76,9 +76,9 @@ static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 struct CauseContext {
     bool has_map = true;             ///< light.source is a shadow map
     double edge_reach_texels = 0.5;  ///< reach of the filter kernel
-    bool raster_bias = false;        ///< bias.raster_*
+    bool raster_bias = false;        ///< polygon offset is on (bias.raster_*)
     bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
-    bool depth_blur = false;         ///< map.blur_texels
+    bool depth_blur = false;         ///< map.blur_texels blurs stored depths
     bool moments = false;            ///< the kernel reads moments (Samples::Moments)
     /// Returns true when the unfiltered map may differ from the sampled shadow map.
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
@@ -87,7 +87,7 @@ struct CauseContext {
 /// Ray-traced reference values of one pixel, for comparison with the drawn picture.
 struct ReferencePixel {
     double visibility = 1, noise = 0;  ///< noise: standard error of the visibility
-    bool hard_lit = true;              ///< lit by the light without its size
+    bool hard_lit = true;              ///< true: a light without size would light the pixel
 };
 
 /// Classification of one pixel by the cause of its shadow error: the artefact, and further causes that apply.

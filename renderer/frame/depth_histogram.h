@@ -14,7 +14,7 @@ struct DepthStatistics {
     std::uint64_t drawn = 0, empty = 0;     ///< pixel counts; their sum is the image's size
     double stored_min = 0, stored_max = 0;  ///< as stored; all are 0 when nothing was drawn
     double linear_min = 0, linear_max = 0;  ///< share of the way from the near plane (0) to the far plane (1)
-    double metres_min = 0, metres_max = 0;  ///< along the axis
+    double metres_min = 0, metres_max = 0;  ///< distances along the view axis
 };
 
 /// Returns the smallest and largest depth of a depth image's drawn pixels in three units: as stored, as share of the

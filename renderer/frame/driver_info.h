@@ -16,9 +16,9 @@ struct DriverInfo : RasterTraits {
     double max_anisotropy = 1;
     std::vector<int> map_samples;   ///< sample counts possible for depth textures, largest first
     bool software = false;          ///< a CPU rasteriser
-    bool blocks_as_images = false;  ///< single numbers are read faster from images than from uniform blocks
+    bool blocks_as_images = false;  ///< shaders read single numbers faster from images than from uniform blocks
     std::string clock;              ///< name of the clock of passes, as gl::name() gives it
-    double query_share = 0;         ///< query time / wall time of a known pass
+    double query_share = 0;         ///< timer query's time / wall time of the calibration pass
 };
 
 }  // namespace si

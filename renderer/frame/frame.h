@@ -47,7 +47,7 @@ struct Outputs {
     bool compared = false;         ///< as `classified`, without causes of errors
     bool precision = false;        ///< error of look-ups by single precision: FrameResult::precision
     bool evidence = false;         ///< CauseEvidence of every pixel; uses FrameRequest::reference if set
-    bool unfiltered_map = false;   ///< unfiltered map is current, for trials of a probed pixel
+    bool unfiltered_map = false;   ///< unfiltered map and the kernel's inputs, for trials of a probed pixel
     bool true_colour = false;      ///< picture lit by the ray-traced reference; needs FrameRequest::reference
     bool health = false;           ///< search for NaN and other number faults: Renderer::numeric_health()
     bool operator==(const Outputs&) const = default;
@@ -57,7 +57,7 @@ struct Outputs {
 /// another place.
 struct MapCamera {
     Camera camera;
-    /// Measured depth range of this camera's surfaces, metres: FrameResult::seen_m of its own picture.
+    /// Measured depth range of the surfaces that this camera sees, metres: FrameResult::seen_m of its own picture.
     std::optional<DepthSpan> seen_m;
     bool operator==(const MapCamera&) const = default;
 };
@@ -81,17 +81,18 @@ struct FrameRequest {
     bool timing = false;     ///< measurement of each pass's time; costs time itself
     bool force = false;      ///< true: every pass runs even when its result is cached
     OptimisationSet forced;  ///< optimisations to disable: the same picture by more work
-    std::optional<bool>
-        blocks_as_images;  ///< way in which shaders read numbers (Blocks); nullopt: DriverInfo::blocks_as_images
+    /// True: shaders read settings and frame data from buffer images in place of uniform blocks. Nullopt:
+    /// DriverInfo::blocks_as_images.
+    std::optional<bool> blocks_as_images;
     std::optional<MapOfLight> emptied;  ///< map to draw without casters; not for virtual maps
-    std::optional<MapSize> map_size;  ///< size of the maps; nullopt: map.resolution both ways. Virtual maps are square
+    std::optional<MapSize> map_size;    ///< size of the maps; nullopt: square, map.resolution. Virtual maps are square
     /// Maps by light that are given instead of drawn; null or missing: drawn. May be shorter than the list of lights.
     std::vector<std::shared_ptr<const ImportedMaps>> imported;
     std::optional<MapCamera> map_camera;  ///< camera for fitting maps; nullopt: the picture's own
-    /// Draws view.look and view.overlay_blend, and leaves empty texels of the map viewer transparent; else plain
-    /// pictures.
+    /// True: draws with view.look and view.overlay_blend, and leaves empty texels of the map viewer transparent. False:
+    /// draws plain pictures.
     bool with_look = false;
-    int smoothed = 0;  ///< shadings averaged in FrameResult::smooth so far
+    int smoothed = 0;  ///< number of shadings to average in FrameResult::smooth; 0: no smooth picture
     /// Ray-traced reference of this view and light. A reference of another key is ignored: see FrameResult::reference.
     std::shared_ptr<const ReferencePicture> reference;
     /// Ray-traced visibility by light, for lights whose source is ray tracing. May be shorter than the list of lights.
@@ -107,7 +108,7 @@ enum class PassState { Drawn, Cached, Skipped };
 /// Category under which reports sum the times of passes.
 enum class PassCategory {
     Maps,     ///< draws or prepares shadow maps, or what replaces them
-    Picture,  ///< shades, with the look-ups
+    Picture,  ///< shades the picture, with the shadow look-ups
     Tool,     ///< measures, classifies or shows; no part of a real engine's frame
 };
 
@@ -118,9 +119,9 @@ struct PartInfo {
     PassState state = PassState::Skipped;
     std::string reason;
     std::uint64_t draws = 0, triangles = 0;
-    std::uint64_t left_out = 0;      ///< count of skipped things, in `unit`
+    std::uint64_t left_out = 0;      ///< number of skipped casters, triangles or taps, see `unit`
     std::string_view unit;           ///< "casters", "triangles", "taps"
-    std::optional<Optimisation> by;  ///< optimisation that skipped the things; nullopt: none did
+    std::optional<Optimisation> by;  ///< optimisation that skipped the casters, triangles or taps; nullopt: none did
 };
 
 /// Report on one pass of a frame: state, reason, time and draw counts.
@@ -150,8 +151,8 @@ struct Image {
 struct Pane {
     Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when nothing is drawn over it
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
-    int overlay = 0;  ///< 0 none, else row of the overlay table + 1
-    float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+    int overlay = 0;  ///< 0: none; else 1 + row in overlays()
+    float overlay_min = 0, overlay_max = 1;  ///< range of the overlay's colour scale
     bool tinted = false;                     ///< the overlay is darkened by the picture: view.overlay_blend
     bool lacks_reference = false;            ///< overlay not drawn, as FrameRequest lacks its reference
 };
@@ -186,7 +187,7 @@ struct FrameContents {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer
         const std::uint64_t* place;  ///< address of the image's current key; owned by the renderer
-        std::uint64_t key, drawn;    ///< cache key after the frame, and the number of its drawing
+        std::uint64_t key, drawn;    ///< cache key after the frame, and number of the drawing that made the image
     };
     std::uint64_t renderer = 0;  ///< number of the renderer; 0: no frame was drawn
     std::vector<Part> parts;
@@ -212,21 +213,22 @@ struct FrameResult {
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other warnings for the user, one line each
     std::vector<Pane> panes;  ///< panes of view.panes, row by row from the top left; panes of one overlay share images
-    bool contacts_darkened = false;  ///< creases of the picture are darkened by view.look; no shadow
+    bool contacts_darkened = false;  ///< the picture has contact darkening in creases (view.look), which is no shadow
     Image colour;                    ///< the first pane's picture
     /// RGBA8: mean of FrameRequest::smoothed shadings by a jittered camera. Panes without an overlay show it. Empty:
     /// not requested, or not available for this frame.
     Image smooth;
-    Image visibility;  ///< R32F
-    Image overlay;     ///< the first pane's values
+    Image visibility;  ///< R32F: visibility of view.light, 1 lit, 0 in shadow
+    Image overlay;     ///< overlay values of the first pane: Pane::values
     /// RGBA32F: u and v of the kernel's centre in the map of view.light (v up, after the normal offset, not wrapped),
-    /// the layer among that light's views, and 1 where the kernel reads a texel of it, else 0. Empty without a map.
+    /// the layer among that light's views, and 1 where the kernel reads a texel of the map, else 0. Empty if there is
+    /// no map.
     Image map_coordinates;
-    Image
-        texels_read;  ///< R32F, a value a texel of the map of view.light and view.face: 1 where some kernel fetches it
+    /// R32F, one value per texel of the map of view.light and view.face: 1 where some kernel fetches the texel, else 0.
+    Image texels_read;
     Image surface_ids;                            ///< RG32UI, see SurfaceIds
-    Image true_colour;                            ///< RGBA8, as `colour` without overlays
-    Image classified;                             ///< RG32F, see classified_pixels(); also by Outputs::compared
+    Image true_colour;                            ///< RGBA8: picture lit by the ray-traced reference, without overlays
+    Image classified;                             ///< RG32F, see classified_pixels(); also set for Outputs::compared
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< CauseContext::mask_levels of the evidence
     ReferenceNeed reference;
@@ -236,16 +238,16 @@ struct FrameResult {
     std::shared_ptr<const Precision> precision;  ///< null unless requested, or where view.light has no map
     int map_resolution = 0;                      ///< texels along the longer side of a map
     MapSize map_size;                            ///< texels of each map
-    bool map_holds_distances = false;            ///< see holds_distances()
+    bool map_holds_distances = false;            ///< maps store distances in place of depths: holds_distances()
     bool maps_are_whole = true;                  ///< false: maps hold only texels that the picture reads
-    std::optional<PageFacts> pages;              ///< statistics of virtual maps; nullopt: maps are whole
+    std::optional<PageFacts> pages;              ///< statistics of virtual maps; nullopt: no virtual maps
     float overlay_min = 0, overlay_max = 1;      ///< the first pane's colour scale
     Image map_view;                              ///< RGBA8: the depth image of view.map_source as view.map shows it
-    ShownMap shown_map;                          ///< which depth image that is
+    ShownMap shown_map;                          ///< description of the depth image that `map_view` shows
     glm::ivec2 map_view_size{0};         ///< size of the map viewer's depth image; the picture of it may be smaller
-    DepthCurve map_view_curve;           ///< mapping from distance to its stored depths
+    DepthCurve map_view_curve;           ///< mapping from distance to stored depth of the map viewer's image
     bool map_fitted = false;             ///< the grey range follows the drawn depths
-    float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
+    float map_black = 0, map_white = 1;  ///< grey range in use, on the scale of view.map_black, view.map_white
     std::string clock;                   ///< clock that measured gpu_ms
     FrameContents contents;
     /// Returns the frame's report on the pass called `name`; null if the frame has no such pass.
@@ -264,7 +266,7 @@ struct SurfaceIds {
 };
 /// Image with four channels of 8 bits (RGBA), read back from the GPU, top row first.
 struct ByteImage {
-    int width = 0, height = 0;  ///< RGBA
+    int width = 0, height = 0;  ///< pixels
     std::vector<std::uint8_t> data;
     bool operator==(const ByteImage&) const = default;
 };

@@ -26,7 +26,7 @@ inline constexpr std::size_t kNumberFaults = 5;
 
 /// Returns the JSON name of a kind of invalid number, such as "nan" or "negative_variance".
 std::string_view fault_key(NumberFault fault);
-/// Returns the name for people of a kind of invalid number, such as "NaN" or "a variance below 0".
+/// Returns the displayed name of a kind of invalid number, such as "NaN" or "a variance below 0".
 std::string_view fault_label(NumberFault fault);
 
 /// Report on all invalid numbers of one kind, such as NaN, in one image layer, matrix or uniform block. An image is
@@ -37,7 +37,7 @@ struct NumberFinding {
     std::string place;            ///< in words: "shadow map, cascade 2 of light 0"
     int light = -1, view = -1;    ///< light and map view concerned; -1: none
     int level = 0;                ///< mip level
-    std::uint64_t count = 0;      ///< texels, pixels or numbers
+    std::uint64_t count = 0;      ///< number of faulty texels, pixels or numbers, see `unit`
     /// Position of the first and the worst fault. Map texels count from the lower left, pixels from the upper left;
     /// matrix entries are (column, row).
     glm::ivec2 first{0}, worst{0};
@@ -59,7 +59,7 @@ struct NumericHealth {
 /// first at texel 12, 40".
 std::string finding_text(const NumberFinding& finding);
 /// Returns one line about the invalid numbers (NaN, infinite, out of range) found in a frame: the first few with their
-/// places. Without any the line says how much was searched.
+/// places. If none was found, the line says how much was searched.
 std::string health_text(const NumericHealth& health);
 
 }  // namespace si

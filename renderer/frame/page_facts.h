@@ -16,18 +16,18 @@ struct PageFacts {
     int coarser = 0;              ///< wanted pages replaced by coarser ones, as the pool is full
     int evicted = 0;              ///< cached pages dropped to make room
     int held = 0, pool = 0;       ///< pages stored in the pool; capacity of the pool
-    std::vector<int> by_level;    ///< wanted pages by level of the light with the most levels, finest first
+    std::vector<int> by_level;    ///< wanted pages per level, finest first, of the light with the most wanted pages
     double smallest_texel_m = 0;  ///< texel size of the finest level in use, metres; perspective: at the far plane
-    /// Number of texels that maps without pages would need: one map a light, with the pages' texel size, over the
-    /// square that the look-ups cover.
+    /// Number of texels of unpaged maps with equal texel size. A light with clip levels has one map over the widest
+    /// square of read pages, at its finest texel size. Other lights have the whole map of each view in use.
     double fixed_map_texels = 0;
-    /// Returns the texels of all pages in use.
+    /// Returns the number of texels of all pages in use.
     std::uint64_t read_texels() const { return texels(drawn + kept); }
-    /// Returns the texels of the pages drawn for this frame.
+    /// Returns the number of texels of the pages drawn for this frame.
     std::uint64_t drawn_texels() const { return texels(drawn); }
 
 private:
-    /// Returns the texels of this many pages.
+    /// Returns the number of texels in `pages` pages.
     std::uint64_t texels(int pages) const { return std::uint64_t(pages) * std::uint64_t(page_texels) * page_texels; }
 };
 

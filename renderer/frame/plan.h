@@ -17,18 +17,18 @@ namespace si {
 struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
-    int light = -1;  ///< light index for PassInfo::light
+    int light = -1;  ///< light index; below 0: all lights, or none
     std::vector<ResultRef> reads, writes;
     std::string needs;     ///< request or setting that needs the pass; empty: see renderer/inspect/effects.cpp
     std::string unneeded;  ///< reason why the scene does not need the pass; empty: needed
     std::optional<Optimisation> by;  ///< optimisation that skips the pass, or that the pass is a part of
     std::uint64_t key = 0;           ///< hash of everything the result depends on, size and format too, except `reads`
-    /// True: the pass only saves its readers work, and their results stay equal without it. Its key is not part of
-    /// theirs. It runs only where one of them runs.
+    /// True: the pass only saves work in the passes that read its result. Their results are equal without it, and their
+    /// keys do not depend on its key. The pass runs only in frames in which one of its readers runs.
     bool only_saves_work = false;
-    std::uint64_t* cached = nullptr;  ///< cache key of the target's contents; the address must outlast the frame
-    /// True: the target has the key `cached` but too few texels. The pass then runs and adds the missing ones; texels
-    /// read before stay equal.
+    std::uint64_t* cached = nullptr;  ///< cache key of the target's contents, must outlast the frame; null: not cached
+    /// True: the target's contents have the right key, but lack texels that this frame reads. The pass then runs and
+    /// adds the missing texels; the others keep their values.
     bool is_incomplete = false;
     std::function<void(PassInfo&)> run;
     std::string idle_reason = "no pass reads it";  ///< reason to report when no running pass reads the result
@@ -36,8 +36,8 @@ struct Pass {
 
 /// Decides which passes of a frame are drawn, and returns a report on each with the reason. Walks back from the
 /// `wanted` results: a pass is live when one of its results is wanted or read by a live pass. Other passes are skipped,
-/// and so are passes that the scene does not need (Pass::unneeded). Live passes with an unchanged key are cached. All
-/// others are drawn.
+/// and so are passes that the scene does not need (Pass::unneeded). Live passes with an unchanged key are cached. Other
+/// live passes are drawn.
 /// @param passes passes in drawing order
 /// @param force true: draws cached passes too
 /// @param draw_unneeded true: draws live passes even where the scene does not need them

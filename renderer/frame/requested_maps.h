@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Returns the maps that a frame request gives a light, as images or as views alone; null for a light without any.
+/// Returns the imported maps of a light in a frame request, which have images or only views; null: none.
 inline const ImportedMaps* requested_maps(const FrameRequest& request, std::size_t light) {
     return light < request.imported.size() ? request.imported[light].get() : nullptr;
 }

@@ -20,7 +20,7 @@ enum class Result {
     Blobs,                ///< visibility by blob shadows
     LightMap,             ///< baked light maps
     ShadowVolumes,        ///< visibility by stencil shadow volumes
-    Visibility,           ///< a layer a light: 1 lit, 0 in shadow
+    Visibility,           ///< visibility, one layer per light: 1 lit, 0 in shadow
     UnfilteredMap,        ///< the maps without polygon offset and with masks at their finest level
     VisibleSurfaces,      ///< position and normals of every pixel
     Reference,            ///< ray-traced reference

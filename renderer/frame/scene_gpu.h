@@ -29,11 +29,11 @@ struct Batch {
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< mesh has tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
-    bool closed = false;  ///< see check_watertight()
+    bool closed = false;  ///< mesh is watertight, see check_watertight()
     bool ground = false;  ///< Object::ground
     ObjectCull cull = ObjectCull::Inherit;
     glm::dvec3 centre_ws{0};  ///< centre of the first instance, for sorting blended batches
-    /// Returns the triangles of all instances.
+    /// Returns the number of triangles of all instances together.
     std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
 };
 
@@ -42,8 +42,8 @@ class SceneGpu {
 public:
     /// Uploads a scene's meshes and textures to the GPU.
     /// @param anisotropy true: textures get anisotropic filtering
-    /// @param before the previous scene, of which equal textures and watertightness checks are reused; the remainder is
-    /// freed first
+    /// @param before the previous scene, of which equal textures and watertightness checks are reused; other data is
+    /// freed before the upload. Null: none
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     /// Returns Scene::id of the uploaded scene.
     std::uint64_t scene_id() const { return scene_id_; }
@@ -64,13 +64,13 @@ public:
     void set_camera_instances(std::span<const std::uint32_t> instances);
     /// Returns the batches that the camera draws, see set_camera_instances().
     const std::vector<Batch>& seen_batches() const { return seen_batches_; }
-    /// Returns true when vertices have colours (define VERTEX_COLOURS); else each object has one.
+    /// Returns true when some mesh of the scene has vertex colours (define VERTEX_COLOURS).
     bool coloured() const { return bool(colours_); }
-    /// Returns the key of the batches: scene, and the settings of casting, culling and receiving.
+    /// Returns the cache key of the batches: scene, and the settings of textures, casting, culling and receiving.
     const Key& key() const { return arrangement_; }
 
-    /// User of the instance transforms. Seen: the camera, with seen_batches() and per-triangle normals. Casters,
-    /// Volumes: lights and shadow volumes, with all batches and an origin each.
+    /// User of the instance transforms; each has an origin of its own. Seen: the camera, with seen_batches() and
+    /// per-triangle normals. Casters, Volumes: lights and shadow volumes, with all batches.
     enum class Drawn { Seen, Casters, Volumes };
     /// Binds the scene's vertex array for draw_batch(), with instance transforms relative to `origin`.
     /// @param origin world, metres
@@ -108,8 +108,8 @@ private:
         GLsizei index_count = 0;
         GLint base_vertex = 0;
         std::vector<std::uint32_t> copies;  ///< repeated vertices after the mesh's own: see face_normals.h
-        /// Returns the mesh vertex that vertex `i` of the range is or repeats.
-        /// @param own the vertices of the mesh
+        /// Returns the index of the mesh vertex that vertex `i` of the range copies; `i` itself if less than `own`.
+        /// @param own number of vertices of the mesh
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;

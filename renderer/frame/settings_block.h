@@ -13,7 +13,7 @@
 namespace si {
 
 /// Returns the shader defines of all settings that select shader code: rows with Cost::Program and settings with
-/// choices. Name and number make a define, such as map_wrap with value 3.
+/// choices. Each define has the setting's name and value, such as map_wrap 3.
 std::vector<gl::Define> settings_defines(const Settings& s);
 /// Returns GLSL text that declares the settings for shaders, independent of their values. The text has a define for
 /// each choice, such as map_wrap_range with value 3, and a std140 block with a member for each numeric setting.
@@ -23,7 +23,7 @@ std::string settings_block_text(bool as_image);
 std::vector<std::byte> settings_block_bytes(const Settings& s);
 /// Adds the value of one setting to a cache key, so that a result depends on that setting.
 void add_value(Key& key, const Settings& s, const SettingRef& ref);
-/// Adds the value of every setting that shaders see to a cache key.
+/// Adds the values of all settings that shaders see to a cache key, except settings that no chosen technique reads.
 void add_shader_settings(Key& key, const Settings& s);
 
 }  // namespace si

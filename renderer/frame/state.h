@@ -57,7 +57,7 @@ struct Resources {
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
-    gl::Target camera_depth;                          ///< depth of the picture's surfaces, with their key
+    gl::Target camera_depth;                          ///< depth of the visible surfaces, with its cache key
     std::shared_ptr<SceneFindings> found;             ///< see optimisations/scene_findings.h
     std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
@@ -66,7 +66,8 @@ struct Resources {
     std::vector<FittedLight> fitted;  ///< lights fitted for the frame's camera
     std::uint64_t fit_key = 0;
     VisibleDepths seen;
-    /// Number of the last drawing by the address of its content key; drawings are counted up.
+    /// Number of the last drawing into each cached image, by the address of the image's key. Each drawing gets the next
+    /// number.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
 };
@@ -86,16 +87,16 @@ struct FrameState {
     const DriverInfo& driver;
 
     Camera camera;
-    std::optional<DepthSpan> seen_m;  ///< measured depths of visible surfaces, where a fit needs them
+    std::optional<DepthSpan> seen_m;  ///< measured depth range of visible surfaces; nullopt: not needed or none visible
     glm::dvec3 origin{0};             ///< world origin of camera-relative positions
-    std::vector<int> first_view;      ///< by light: layer of its first view
+    std::vector<int> first_view;      ///< by light: layer of its first view in the map textures
     int view_count = 0;
     MapSize map_size;
     /// Returns the layer count of map textures; 0 for a single view, which is a plain 2-D texture.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
     /// Returns the OpenGL format of shadow map textures under the frame's settings.
     GLenum map_format() const;
-    /// Returns true when map.blur_texels blurs stored depths of some map.
+    /// Returns true when map.blur_texels blurs the stored depths of shadow maps.
     bool blurs_depths() const { return settings.map.blur_texels > 0 && view_count > 0; }
     /// Returns true when contact shadows (short rays through the picture's depths, light.contact) darken surfaces under
     /// a light.
@@ -112,11 +113,11 @@ struct FrameState {
     /// @param light index of the light
     const ImportedMaps* imported(std::size_t light) const;
     bool paged = false;                      ///< maps are virtual and drawn by pages (map.virtual)
-    std::string separate_visibility_reason;  ///< reason why visibility has a texture of its own; empty: it has none
+    std::string separate_visibility_reason;  ///< reason for a separate visibility texture; empty: there is none
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< picture position of pixel (0, 0) of the target
     std::vector<glm::vec2> disk_texels;        ///< disk sample positions that shaders read from an image
-    bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
+    bool filter_sampler = false;               ///< the kernel compares depths by a hardware shadow sampler
     std::vector<gl::Define> defines;           ///< defines from settings and kernel
     Key geometry_key, camera_key, lights_key;  ///< cache keys of scene, camera and lights
     std::vector<std::string> notes;
@@ -135,10 +136,10 @@ struct FrameState {
     bool slabs_shown = false;           ///< view.slabs shows texels of a map as quads
     ReferenceNeed reference;            ///< reference that the frame needs, see FrameResult::reference
     std::vector<ReferenceNeed> traced;  ///< by light, see FrameResult::traced
-    /// Ray-traced visibility by light. Null: the light's source is not ray tracing, or it is not traced yet.
+    /// Ray-traced visibility by light. Null: the light's source is not ray tracing, or nothing is traced yet.
     std::vector<const ReferencePicture*> traced_pictures;
     std::vector<LightMapNeed> light_maps;  ///< by light, see FrameResult::light_maps
-    /// Baked light map by light. Null: the light's source is not a light map, or it is not baked yet.
+    /// Baked light map by light. Null: the light's source is not a light map, or none is baked yet.
     std::vector<const LightMap*> light_map_of_light;
     std::uint64_t reference_content = 0;  ///< cache key of the reference's values in use
     Plan plan;                            ///< see plan_frame()
@@ -152,9 +153,9 @@ struct FrameState {
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
     /// Returns an image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
-    /// Registers a texture array in the plan as the shadow maps that look-ups compare with (Result::ShadowMaps). It
-    /// gets the texture unit for reading depths. Unless depths are stored as colour, it also gets the unit of the
-    /// comparison sampler.
+    /// Registers a texture array in the plan as the shadow maps that look-ups compare with (Result::ShadowMaps). The
+    /// array gets the texture unit for reading depths and, unless depths are stored as colour, the comparison sampler's
+    /// unit.
     void place_compared_maps(const gl::Target& maps);
     /// Binds the images of these results to the texture units that the plan assigned. The renderer does this before
     /// each pass, for the results that the pass reads.
@@ -178,12 +179,13 @@ struct FrameState {
     bool fits_grey_range() const;
     /// Returns the cache key of the surfaces that the camera sees, at the picture's size.
     Key surfaces_key() const { return Key(geometry_key).add(camera_key).add(gl.programs.source().generation()); }
-    /// Returns a cache key: `from`, and the values of the settings that this kind of pass reads itself
-    /// (Param::read_by). Settings without effect now are left out.
+    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads itself
+    /// (Param::read_by). Settings that have no effect at present are left out.
     /// @param from key to extend
     /// @param pass kind of pass
     Key with_settings(Key from, ReadBy pass) const { return with_settings(std::move(from), pass, settings); }
-    /// Returns a cache key like the overload above, but reads the values from `values` instead of the frame's settings.
+    /// Returns `from` extended by the settings that a kind of pass reads itself (Param::read_by), taken from `values`
+    /// instead of the frame's settings.
     static Key with_settings(Key from, ReadBy pass, const Settings& values);
     /// Returns the cache key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const { return surfaces_key().add(lights_key); }
@@ -198,14 +200,14 @@ struct FrameState {
     /// picture alone.
     ResultRef pane_picture_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
-    bool mask_levels = false;  ///< some caster's mask may be sampled at a coarser mip level
+    bool mask_levels = false;  ///< some caster's alpha mask may be sampled at a coarser mip level
     /// Returns true when the unfiltered shadow map, without polygon offset and with alpha masks at their finest mip
-    /// level, differs from the map as drawn. A pass then draws it.
+    /// level, differs from the map as drawn. A pass then draws the unfiltered map.
     bool needs_unfiltered_map() const;
-    bool surface_flags = false;  ///< some object or material needs the per-object flags
+    bool surface_flags = false;  ///< shaders read flags by object: some object receives no shadow, or is unlit
 
     /// Returns the shader program of a scene or full-screen pass under the frame's settings, compiled on first use.
-    /// @param extra more defines, which override the frame's; one whose name ends in _FILE selects an include's file
+    /// @param extra more defines, which override the frame's; a define named *_FILE selects the file of an include
     /// @throws Error when a shader does not compile
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Returns true when a fragment shader reads the corners of its triangle. It needs them for the unit of polygon
@@ -253,8 +255,8 @@ struct FrameState {
     /// each pixel.
     /// @param[out] info draw and triangle counts
     static void draw_fullscreen(PassInfo& info);
-    /// Draws one triangle over some rectangles of the viewport only, after begin_fullscreen_pass(). The fragment shader
-    /// in use computes each pixel of the rectangles.
+    /// Computes only some rectangles of the viewport with the fragment shader in use, by one draw for each rectangle.
+    /// Call after begin_fullscreen_pass().
     /// @param rects rectangles in pixels, from the lower left
     /// @param[out] info draw and triangle counts
     static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);

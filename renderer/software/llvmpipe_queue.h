@@ -5,8 +5,8 @@ namespace si::gl {
 
 /// Limits the draws that a CPU rasteriser has queued: every eighth call waits until the calling thread's draws are
 /// done. Call after each of many pictures, such as a layer of a shadow map. llvmpipe (Mesa 22.3) queues up to 64
-/// pictures, each in a slot that retains the images it used until the slot is used again. Once it has 64 slots it uses
-/// only the first, and the images in the other slots stay in memory for good.
+/// pictures, each in a slot that retains the picture's images until the slot is used again. Once 64 slots exist,
+/// llvmpipe uses only the first, and the images in the other slots stay in memory for good.
 void limit_pending_draws();
 
 /// Marks the calling thread as one that draws in the background, while another thread, such as a window's, must not
@@ -15,7 +15,7 @@ void limit_pending_draws();
 void set_background_drawing(bool on = true);
 
 /// Waits until the previous picture of a background thread is drawn; does nothing on other threads. Call after each
-/// pass. llvmpipe draws the pictures of all contexts in one queue of four, and a full queue blocks every thread.
+/// pass. llvmpipe keeps the pictures of all contexts in one queue of four pictures. A full queue blocks every thread.
 void throttle_background_drawing();
 
 /// Makes llvmpipe release images that finished pictures retain (see limit_pending_draws()), by drawing tiny pictures
