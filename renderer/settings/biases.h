@@ -24,10 +24,10 @@ struct BiasInput {
     DepthCurve curve;            ///< depth curve, of the light's view
     double texel_m = 1;          ///< texel size at the receiver, metres
     double n_dot_l = 1;          ///< cosine between the light and the normal chosen by bias.normal_source
-    double z = 1;                ///< distance along the view's axis, metres above 0, of the looked-up point
+    double z = 1;                ///< distance of the look-up's point along the light's axis, metres above 0
     PolygonOffset polygon;       ///< measured glPolygonOffset of the driver, for maps of this format
     glm::dvec2 per_texel{0};     ///< depth change of the receiver's plane per texel, along u and v
-    double quantum = 0;          ///< step of the format at the greatest depth of the triangle
+    double quantum = 0;          ///< depth step of the map format at the triangle's greatest depth
     double least_per_texel = 0;  ///< least depth bias of the plane if every texel has its own compared depth
     double least_common = 0;     ///< least depth bias of the plane if all texels share one compared depth
     bool in_map = true;          ///< the map holds the receiver's own face, which can then shadow itself
@@ -52,15 +52,16 @@ struct Bias {
     std::string_view paper;  ///< source
     std::string_view file;   ///< GLSL file below shaders/
     BiasStage stage = BiasStage::Compare;
-    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
+    std::span<const std::string_view> settings = {};  ///< keys of settings that a row reads only if it lists them
     std::span<const StartingValue> starts = {};       ///< values that choosing the row brings along (starting_values.h)
-    bool per_texel = false;          ///< each texel has its own compared depth; bilinear samplers have one for 4
-    bool gives_needed_bias = false;  ///< the row computes the plane's needed bias by itself, whatever the numbers are
+    bool per_texel = false;          ///< each texel has its own compared depth; a bilinear sampler has one for 4 texels
+    bool gives_needed_bias = false;  ///< the row computes the needed bias by itself, whatever the bias settings are
     bool by_derivatives = false;     ///< the plane comes from screen derivatives of the position
-    /// Returns the bias in closed form and in the unit of the GLSL function; for normal_offset() its length.
+    /// Returns the row's bias in closed form, depth-buffer units; for the normal offset the length of the shift,
+    /// metres.
     double (*amount)(const BiasSettings&, const BiasInput&) = nullptr;
-    /// Returns the further bias of a tap per texel of its distance from the look-up, in depth-buffer units. A row with
-    /// it keeps the depth at the look-up where the plane falls away from the light. Null: the plane alone.
+    /// Returns the further bias of a tap for each texel between tap and look-up, depth-buffer units. Rows with this
+    /// function use the depth at the look-up where the plane falls away from the light. Null: no further bias.
     double (*remainder)(const BiasInput&) = nullptr;
 };
 

@@ -6,13 +6,12 @@
 
 namespace si {
 
-/// Returns true when every texel that the kernel fetches is compared with a depth of its own, that of the receiver's
-/// plane at the texel. Conditions: the chosen bias computes such depths (Bias::per_texel), and the kernel compares
-/// depths.
+/// Returns true when each texel that the kernel fetches is compared with its own depth, that of the receiver's plane at
+/// the texel. This needs a bias that computes such depths (Bias::per_texel) and a kernel that compares depths.
 bool compares_per_texel(const Settings& settings);
-/// Returns true when the texture unit compares the depths through a shadow sampler (sampler2DShadow), instead of the
-/// shader. Conditions: filter.method requests it, the map has a depth format and no pages, and a bilinear kernel
-/// compares all texels with one depth.
+/// Returns true when a shadow sampler (sampler2DShadow) compares the depths in place of the shader. Conditions:
+/// filter.method is sampler, and the map has a depth format and no pages. A bilinear kernel must also compare all
+/// texels with one depth.
 bool uses_sampler(const Settings& settings);
 
 /// Returns the texture calls and fetched texels of the chosen kernel for one light and one lit pixel. They depend on

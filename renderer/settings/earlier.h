@@ -14,16 +14,16 @@ namespace si {
 /// Version number written to all files that hold settings. Each release that changes a default increases it.
 inline constexpr int kSettingsVersion = 3;
 
-/// Row of the table of former defaults: the default value that a setting had until a release changed it. Files of that
-/// time are read with it.
+/// Row of the table of former defaults: the default value that a setting had until a release changed it. Settings files
+/// from before the change are read with this value.
 struct EarlierDefault {
     int version = kSettingsVersion;  ///< last version with this default
     std::string_view key;            ///< key of the setting; "light.X" for all lights
     std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the table of defaults that later versions have changed, oldest first. Files of earlier versions are read
-/// with it. Only tests assign another table through the reference, to read files of versions that do not exist.
+/// Returns the table of former defaults, oldest first, with which settings files of earlier versions are read. Only
+/// tests assign another table through the reference, to read files of versions that do not exist.
 std::span<const EarlierDefault>& earlier_defaults();
 
 /// Returns the lowest version of settings files that the program can read: the lowest version in earlier_defaults().
@@ -31,11 +31,11 @@ int oldest_settings_version();
 /// Returns the readable versions of settings files as text for a message: "version 2", "versions 2 to 3".
 std::string readable_versions();
 
-/// Setting and the value that a file gives it.
+/// Reference to a setting, and the value that a file gives the setting.
 using SettingValue = std::pair<SettingRef, Value>;
 
-/// Returns the number of lights that a settings file configures, for defaults_of_version(). It is the larger of
-/// light.count and one more than the highest index of a light that has a value.
+/// Returns the number of lights that a settings file configures, for defaults_of_version(). It is the largest of 1,
+/// light.count, and one more than the highest index of a light that has a value.
 /// @param values all settings of the file with their values
 int configured_light_count(std::span<const SettingValue> values);
 

@@ -27,18 +27,18 @@ enum class Samples {
     Moments,  ///< averaged functions of depths (lib/moments.glsl, Filter::moments)
 };
 
-/// Rule by which a kernel that reads moments (VSM, ESM, EVSM, MSM) computes the upper bound of the lit share.
+/// Rule by which a kernel that reads moments (VSM, ESM, EVSM, MSM) computes the upper bound of visibility. In the rules
+/// c is filter.exponent, d is filter.negative_exponent, and x is depth scaled to -1 to 1.
 enum class BoundRule {
-    Chebyshev,            ///< of depths: lib/variance.glsl
+    Chebyshev,            ///< Chebyshev's inequality for depths: lib/variance.glsl
     Exponential,          ///< mean of e^(c x): filters/esm.glsl
-    WarpedChebyshev,      ///< of e^(c x): filters/evsm2.glsl
-    TwoWarpedChebyshevs,  ///< the lower one of e^(c x) and of -e^(-d x): filters/evsm4.glsl
-    FourMoments,          ///< lib/moment_problem.glsl
+    WarpedChebyshev,      ///< Chebyshev's inequality for e^(c x): filters/evsm2.glsl
+    TwoWarpedChebyshevs,  ///< the lower of the bounds for e^(c x) and for -e^(-d x): filters/evsm4.glsl
+    FourMoments,          ///< bound from four moments: lib/moment_problem.glsl
 };
 
-/// Moments of depth that are stored for a kernel such as VSM or MSM, in place of depths. The GLSL function `vec4
-/// moments_of(float share)` of the kernel computes them from one depth. The moments pass averages them around each
-/// texel.
+/// Moments of depth that a kernel such as VSM or MSM reads in place of depths. The kernel's GLSL function moments_of()
+/// computes them from one depth. The moments pass averages them around each texel.
 struct StoredMoments {
     std::span<const std::string_view> names = {};  ///< names of the 1, 2 or 4 channels
     int power = 0;                                 ///< highest stored power of the exponential; 0: none
@@ -46,29 +46,30 @@ struct StoredMoments {
     bool summed = false;           ///< stored as a summed-area table (lib/summed_area.glsl)
     bool reduces_bleeding = true;  ///< filter.bleed applies
     BoundRule rule = BoundRule::Chebyshev;
-    std::string_view bound = {};  ///< text: upper bound of the lit share, by mean m, variance v and own depth z
+    std::string_view bound = {};  ///< text: upper bound of visibility, by mean m, variance v and own depth z
 };
 
 /// Work of a shadow kernel for one light and one lit pixel, in texture calls and fetched texels.
 struct FilterCost {
-    int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
+    int gathers = 0;       ///< textureGather calls with method gather; 0: the kernel does not gather
     int sampler_taps = 1;  ///< texture calls with the other methods
-    int texels = 1;        ///< texels fetched by the sampler; from kernel_cost(): by the method in use
+    int texels = 1;        ///< texels fetched by a sampler; kernel_cost() gives those of the method in use
 };
 
-/// Largest error of visibility against the reference that tests allow a kernel, and the reason. It holds at pixels with
-/// no shadow edge within the kernel's reach.
+/// Largest error of visibility against the reference that tests allow a kernel, and the reason. The limit holds at
+/// pixels with no shadow edge within the kernel's reach.
 struct Tolerance {
     double lit = 1e-5;   ///< missing visibility on lit surfaces: rounded weights sum to a little less or more than 1
     double dark = 1e-5;  ///< remaining visibility in full shadow
     std::string_view why = "rounding of the weights";
 };
 
-/// Noise of a kernel that samples: its error against its own result with 4096 samples, and how fast that falls. With
-/// random samples the error falls with the square root of their number, with evenly spread samples faster.
+/// Sampling noise of a kernel: its error against its own result with 4096 samples, and how fast the error falls with
+/// more samples. With random samples the error falls with the square root of their number, with evenly spread samples
+/// faster.
 struct Noise {
     std::string_view taps;  ///< key of the setting with the number of samples; empty: the kernel does not sample
-    double slope = 0;       ///< slope of log RMSE over log number
+    double slope = 0;       ///< slope of log RMSE over the log of the number of samples
     double tolerance = 0.15;
 };
 
@@ -80,18 +81,18 @@ struct Filter {
     std::string_view file;           ///< GLSL file below shaders/
     int size = 1;                    ///< texels or bilinear taps per axis of a square kernel; 0: filter.size
     bool bilinear = false;           ///< each tap blends 2x2 texels, except with filter.point; rows that list
-                                     ///< filter.bilinear ignore it
+                                     ///< filter.bilinear ignore this member
     bool linear = true;              ///< result is a weighted sum of comparisons, so that each tap has a weight
     StoredMoments moments = {};      ///< without names: the kernel compares depths
-    bool searches_blockers = false;  ///< first searches casters; without one it returns lit and compares nothing
+    bool searches_blockers = false;  ///< first searches for casters; if there is none, returns 1 without comparisons
     bool reads_light_size = false;
     bool uses_disk_table = false;  ///< samples the kDiskTable points of the Poisson disk, unless filter.disk is spiral
-    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
-    /// Returns the kernel's reach.
-    /// @param widest_texels radius of its widest area under the light: the penumbra for rows that read the light's
-    /// size, else a filter.radius in metres; infinite if no light is known
+    std::span<const std::string_view> settings = {};  ///< keys of settings that a row reads only if it lists them
+    /// Returns the kernel's reach in texels.
+    /// @param widest_texels largest radius of the kernel under the light: that of the widest penumbra for rows that
+    /// read the light's size, else filter.radius converted from metres. Infinite if no light is known
     Reach (*reach)(const Filter&, const Settings&, double widest_texels) = square_reach;
-    /// Returns the kernel's cost.
+    /// Returns the kernel's texture calls and fetched texels for one light and one lit pixel.
     FilterCost (*cost)(const Filter&, const Settings&) = square_cost;
 
     Tolerance tolerance = {};
@@ -100,9 +101,9 @@ struct Filter {
     /// row's key.
     std::span<const std::string_view> swept = {};
 
-    /// Returns true for size x size taps at fixed places around the look-up.
+    /// Returns true when the kernel has size x size taps at fixed places around the look-up.
     bool square() const { return reach == square_reach; }
-    /// Returns the values that the kernel samples.
+    /// Returns the data that the kernel reads from the map: depths or moments.
     Samples samples() const { return moments.names.empty() ? Samples::Depth : Samples::Moments; }
     /// Returns the reach of a kernel that is a fixed square of taps, in texels. Value of Filter::reach for such
     /// kernels.
@@ -118,7 +119,7 @@ struct Filter {
 bool owns_setting(const Filter& row, std::string_view key);
 
 /// Returns the number of taps along one side of a square kernel: the fixed size in the filter's table row, else
-/// filter.size. Shaders have it as the define KERNEL_SIZE.
+/// filter.size. Shaders get this number as the define KERNEL_SIZE.
 int taps_across(const Filter& row, const Settings& settings);
 /// Returns true when each tap of the kernel blends 2x2 texels.
 bool is_bilinear(const Filter& row, const Settings& settings);
@@ -126,7 +127,7 @@ bool is_bilinear(const Filter& row, const Settings& settings);
 std::string kernel_label(const Settings& settings);
 /// Returns the number of points on a disk that a kernel such as Poisson or PCSS samples, for cost estimates.
 /// disk_points() returns the points themselves.
-/// @param places the requested number of points; a kernel with a table of points has no more than the table
+/// @param places the requested number of points; kernels with a fixed table use at most the points in the table
 int disk_point_count(const Filter& row, const Settings& settings, int places);
 /// Returns the points of the unit disk that a kernel samples, from the Poisson table or along the spiral of golden
 /// angles.
@@ -136,13 +137,13 @@ std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, 
 /// Memory for the data that is computed from the depths before a kernel runs (moments, mip levels, tables), in bytes.
 struct PrefilterBytes {
     double kept = 0;     ///< bytes per texel of the maps, mip levels included
-    double scratch = 0;  ///< bytes per texel of one map, during the preparation
+    double scratch = 0;  ///< bytes per texel of one map, while the data is computed
 };
 /// Returns the memory for the data that the chosen kernel needs besides depths (moments, mip levels, tables), in bytes
 /// per texel. It is 0 for kernels that compare depths.
 PrefilterBytes prefilter_bytes(const Settings& settings);
-/// Returns the memory of a shadow map with all data that is kept for it, in bytes per texel. Depth counts 4 in any
-/// format, blurred depth (map.blur_texels) 4 more. Prefiltered moments are added, temporary images are not.
+/// Returns the memory of a shadow map with all data that is kept for it, in bytes per texel. Depth counts 4 bytes in
+/// any format, blurred depth (map.blur_texels) 4 more. Prefiltered moments are included, temporary images are not.
 double stored_texel_bytes(const Settings& settings);
 
 /// Returns the number of the depth moment (channel of the kernel's moment map) that the map viewer shows, counted from
@@ -157,7 +158,7 @@ bool keeps_mips(const Settings& settings);
 int requested_mip(const Settings& settings);
 
 /// Returns the highest exponent (filter.exponent) for which the stored exponentials and their powers neither overflow
-/// nor flush to zero in the moment format. Infinite if the kernel stores no exponential.
+/// nor flush to zero in the moment format (filter.moment_format). Infinite if the kernel stores no exponential.
 double safe_exponent(const Settings& settings);
 
 /// Returns all rows of the table of shadow filter kernels.
@@ -171,11 +172,9 @@ std::span<const std::string_view> sweep_kernels();
 
 /// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
-/// Returns the reach of the chosen kernel in texels: its largest distances from the look-up. There is one to the texels
-/// that need bias, one to those that soften an edge, and one to all that are read. For a given light use
-/// kernel_reach_in_light().
-/// @param widest_texels radius of the kernel's widest area in texels, which limits the reach; infinite if no light is
-/// known
+/// Returns the reach of the chosen kernel in texels. These are its largest distances from the look-up to texels that
+/// need bias, that soften an edge, and that are read. For a given light use kernel_reach_in_light().
+/// @param widest_texels largest radius of the kernel under the light, texels; infinite if no light is known
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 
 }  // namespace si

@@ -14,7 +14,7 @@ struct FitRow {
     std::string_view key, label, help;
     std::string_view paper;     ///< source; empty: common knowledge
     bool reads_camera = false;  ///< maps change with the camera
-    bool warps = false;         ///< maps of directional lights get a perspective across their rays
+    bool warps = false;         ///< maps of directional lights are warped by a perspective projection (LiSPSM)
     bool narrows = false;       ///< a map may leave out regions without shadow
 };
 

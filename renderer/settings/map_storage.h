@@ -8,8 +8,8 @@ namespace si {
 /// Upper limit of the memory for shadow maps with all cached and prepared data, bytes.
 inline constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 
-/// Returns true when a map of this format is a colour image that the fragment shader writes. A depth buffer of the same
-/// size is then needed while it is drawn.
+/// Returns true when a map of this format is a colour image that the fragment shader writes. Drawing such a map also
+/// needs a depth buffer of the same size.
 constexpr bool is_colour(MapFormat map_format) {
     return map_format >= MapFormat::Colour;
 }
@@ -25,7 +25,8 @@ constexpr int texel_bytes(MapFormat map_format) {
     return map_format == MapFormat::D16 || map_format == MapFormat::Linear16 ? 2 : 4;
 }
 
-/// Returns the bytes of one texel while the map is drawn: the map's own, plus the depth buffer of colour formats.
+/// Returns the bytes of one texel while the map is drawn: those of the map, and those of the depth buffer that colour
+/// formats need.
 constexpr int drawn_texel_bytes(MapFormat map_format) {
     return texel_bytes(map_format) + (is_colour(map_format) ? 4 : 0);
 }

@@ -31,15 +31,15 @@ struct Overlay {
     double min = 0, max = 1;           ///< ends of the colour scale if view.overlay_range is declared
     bool diverging = false;            ///< colour scale is centred on zero
     bool reads_visibility = false;     ///< needs the visibility texture
-    bool names_causes = false;         ///< colours are causes of wrong pixels; their legend has numbers
-    bool names_views = false;          ///< colours are a light's views
+    bool names_causes = false;         ///< colours stand for causes of wrong pixels; the legend has numbers
+    bool names_views = false;          ///< colours stand for the views of a light
     bool reads_reference = false;      ///< needs the ray-traced reference and the classification of the pixels
     bool reads_precision = false;      ///< needs the comparison of the look-ups with double precision
     bool reads_flip = false;           ///< needs the difference to the picture with the reference's shadows
-    bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
+    bool keeps_optimisations = false;  ///< its look-ups keep optimisations that other overlays switch off
     OverlayDraw draw = OverlayDraw::Fragments;
-    std::size_t first_pane = 0;  ///< pane (1 to 3) that shows it when several panes open without any; 0: none
-    /// Returns the path of the overlay's GLSL file below shaders/, which is the overlay's key with underscores.
+    std::size_t first_pane = 0;  ///< pane (1 to 3) that gets this overlay when panes open without any; 0: none
+    /// Returns the path of the overlay's GLSL file below shaders/, made from the overlay's key with underscores.
     std::string file() const;
 };
 

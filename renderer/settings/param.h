@@ -21,7 +21,7 @@ enum class Cost { Uniform, Program, Target };
 /// this class converts settings between enumerators and numbers.
 class EnumRef {
 public:
-    /// Refers to an enumeration member.
+    /// Binds the reference to a member of an enumeration type.
     /// @param member outlives the reference
     template <typename E>
     requires std::is_enum_v<E> EnumRef(E* member)  // NOLINT: implicit, as the pointers beside it in FieldRef are
@@ -33,7 +33,8 @@ public:
 
     /// Returns the index of the member's present choice.
     int index() const { return read_(member_); }
-    /// Sets the member to the choice with this index, unchecked: an index without a choice is stored too (sanitise()).
+    /// Sets the member to the choice with this index, unchecked: an index without a choice is stored too. sanitise()
+    /// repairs it.
     void set_index(int index) const { write_(member_, index); }
     /// Returns the address of the member.
     void* address() const { return member_; }
@@ -44,7 +45,7 @@ private:
     void (*write_)(void*, int);
 };
 
-/// Reference to one member of Settings, by its type.
+/// Reference to the member that holds a setting: a pointer of the member's type, or an EnumRef.
 using FieldRef = std::variant<bool*, int*, double*, std::string*, EnumRef>;
 
 /// Allowed value of a setting with named values, with its key for files, label and help.
@@ -53,7 +54,7 @@ struct Choice {
 };
 
 /// Returns the rows of a table of techniques (key, label, help) as choices of a setting, in the table's order.
-/// @tparam rows function that returns the table, which no longer changes
+/// @tparam rows function that returns the table, which must not change after the first call
 template <auto rows>
 std::span<const Choice> choices_of() {
     static const std::vector<Choice> choices = [] {
@@ -101,7 +102,8 @@ constexpr bool is_read_by(ReadBy set, ReadBy pass) {
 /// Row of the table of settings: key, member, label, unit, range, help and effects of one setting.
 struct Param {
     std::string_view key;  ///< dotted key; "light.X" for settings of each light, "object.X" for settings of each object
-    /// Returns the member of Settings or of ObjectSettings.
+    /// Returns a reference to the member that holds the setting: in Settings, in its light `light`, or in the given
+    /// ObjectSettings.
     FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
     std::string_view label, unit;
     double min = 0, max = 1;  ///< range; for texts max is the largest size in bytes of UTF-8
@@ -109,11 +111,12 @@ struct Param {
     bool logarithmic = false;
     bool zero_is_auto = false;  ///< value 0 lets the program choose
     Cost cost = Cost::Uniform;
-    /// Returns the named values; null for settings without.
+    /// Returns the choices of a setting with named values; null for other settings.
     std::span<const Choice> (*choices)() = nullptr;
-    /// Returns the values of "*" in a sweep, as texts for --set; null: each choice once.
+    /// Returns the values that "*" stands for in a sweep, as texts for --set; null: each choice once.
     std::span<const std::string_view> (*swept)() = nullptr;
-    /// Returns the reason why the setting has no effect under `s`; empty if it has. Null: always an effect.
+    /// Returns the reason why the setting has no effect under `s`; empty if it has an effect. Null: it always has an
+    /// effect.
     std::string_view (*idle)(const Settings& s, int light) = nullptr;
     std::string_view help;
     /// Names of the setting in Unity, Unreal, Godot, three.js, Filament, Blender and OpenGL, for the search.
@@ -159,7 +162,7 @@ using Value = std::variant<bool, int, double, std::string>;
 bool is_text(const Param& p);
 /// Converts a setting's value to a number: a switch to 0 or 1, a choice to its index, a text to 0.
 double numeric_value(const Value& v);
-/// Returns the value of the setting `ref` in `s`; for an object without own settings the default.
+/// Returns the value of the setting `ref` in `s`; for an object without settings of its own the default.
 Value get_value(const Settings& s, const SettingRef& ref);
 /// Sets the setting `ref` in `s` to a value, without range check (sanitise() checks later). Numbers and switches
 /// convert as in C++. Does nothing if one of setting and value is a text and the other is not.
@@ -174,8 +177,8 @@ std::string value_text(const Param& p, const Value& v);
 /// with its size, such as "pcf5" (sized_kernels.h).
 /// @throws UsageError naming the key, the text and the allowed values
 Value parse_value(const SettingRef& ref, std::string_view text);
-/// Returns the further settings that change when the setting `ref` is set from a text. The name of a kernel with its
-/// size ("pcf5") implies filter.size and filter.point. Empty for all other texts.
+/// Returns the other settings, with their values, that change too when the setting `ref` is set from a text. The name
+/// of a kernel with its size ("pcf5") implies filter.size and filter.point. Empty for all other texts.
 std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text);
 /// Sets the setting with the dotted key `key` from a text, and the settings that the text implies.
 /// @throws UsageError for a bad value, or for an unknown key with the nearest known one
@@ -201,7 +204,7 @@ std::string_view shown_unit(const Settings& s, const SettingRef& ref);
 /// Formats a setting's value for display: a choice's label, "on" or "off", a number with its unit.
 std::string shown_value(const Settings& s, const SettingRef& ref, const Value& v);
 /// Returns the title of light number `light` (from 0) for display, with its name if it has one: "Light 1", "Light 1
-/// (key)".
+/// (sun)".
 std::string light_title(const Settings& s, int light);
 /// Formats the change of one setting from its value in `a` to its value in `b` for display: "0.1 → 0 texels". A unit
 /// that both values share is written once.

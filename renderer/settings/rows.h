@@ -73,7 +73,7 @@ struct AnyValue {
     constexpr operator T() const;  // NOLINT: never defined, only its type matters
 };
 
-/// Returns true when an aggregate T can be initialised with as many values as I has indices.
+/// Returns true when the aggregate T accepts sizeof...(I) initialisers.
 template <class T, std::size_t... I>
 constexpr bool is_initialisable(std::index_sequence<I...>) {
     return requires {

@@ -78,7 +78,7 @@ enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
 /// Range of the overlay's colour scale (view.overlay_range).
 enum class OverlayRange { Declared, Fitted, Manual };
-/// Contrast of the map viewer while its range is the whole one (view.map_contrast).
+/// Contrast of the map viewer (view.map_contrast): fitted to the drawn depths in the editor, or always the whole range.
 enum class MapContrast { Auto, Whole };
 /// Blend of overlays with the picture (view.overlay_blend).
 enum class OverlayBlend { Tint, Flat };
@@ -98,7 +98,8 @@ enum class MapColours { Grey, Turbo, Viridis };
 enum class MapTransform { World, Eye };
 /// Origin of positions on the GPU (map.origin).
 enum class MapOrigin { Near, World };
-/// Maps of a bundle's lights (map.bundle_maps): images of the bundle, or maps drawn with its views.
+/// Source of the shadow maps of a bundle, one frame of an engine as files (map.bundle_maps): images of the bundle, or
+/// maps drawn with the bundle's views.
 enum class BundleMaps { Given, Drawn };
 /// Source of the bias with which an engine reads its maps (map.bundle_bias).
 enum class BundleBiasSource { File, Entered, Unknown };
@@ -112,7 +113,7 @@ enum class Slabs { None, Stored, Biased, Both };
 /// Settings of the camera: camera.*. Lengths in metres, angles in degrees.
 struct CameraSettings {
     CameraSource source = CameraSource::Automatic;
-    int index = 0;  ///< index of the scene's camera; -1: a camera that shows the whole scene, however far it reaches
+    int index = 0;  ///< index of the scene's camera; -1: a camera that shows the whole scene, far objects too
     double target_x = 0, target_y = 0, target_z = 0;
     double azimuth = 35, elevation = 25, roll = 0;
     double distance = 10;
@@ -151,7 +152,7 @@ inline FileChoices file_choices(const SceneSettings& settings) {
     return {settings.index, settings.up, settings.unit};
 }
 
-/// Replaces the settings of a scene that choose how its file is read.
+/// Replaces the settings of a scene that choose how its file is read: scene.index, scene.up, scene.unit.
 inline void set_file_choices(SceneSettings& settings, const FileChoices& choices) {
     settings.index = choices.scene;
     settings.up = choices.up;
@@ -172,7 +173,7 @@ struct MapSettings {
     int samples = 1;
     MapTransform transform = MapTransform::World;
     MapOrigin origin = MapOrigin::Near;
-    bool paged = false;  ///< map.virtual, a keyword in C++
+    bool paged = false;  ///< setting map.virtual; `virtual` is a keyword of C++
     int page_size = 128;
     int page_pool = 1024;
     int virtual_levels = 8;
@@ -210,9 +211,9 @@ struct BiasSettings {
     double raster_units = 0;
     double raster_clamp = 0;
     bool operator==(const BiasSettings&) const = default;
-    /// Returns `normal` where it counts in texels; else 0.
+    /// Returns the normal offset (bias.normal) if its unit is texels, else 0.
     double normal_texels() const { return normal_unit == OffsetUnit::Texels ? normal : 0; }
-    /// Returns `normal` where it counts in metres; else 0.
+    /// Returns the normal offset (bias.normal) if its unit is metres, else 0.
     double normal_metres() const { return normal_unit == OffsetUnit::Metres ? normal : 0; }
 };
 

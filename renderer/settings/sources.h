@@ -16,20 +16,20 @@ struct SourceNeeds {
     bool stencil = false;             ///< stencil buffer of its own
     bool counts_front_faces = false;  ///< the stencil counts faces before the surface (z-pass) instead of behind it
     bool camera_depth = false;        ///< camera's depth buffer
-    bool reference = false;           ///< FrameRequest::traced
+    bool reference = false;           ///< ray-traced visibility: FrameRequest::traced
     bool blobs = false;               ///< blob below each caster
-    bool light_map = false;           ///< FrameRequest::light_maps
+    bool light_map = false;           ///< baked light map: FrameRequest::light_maps
 };
 
 /// Row of the table of visibility sources, the techniques that make a light's shadows (light.source). A source gives
 /// the light's visibility, from 1 (lit) to 0 (in shadow), in one layer of the visibility texture.
 struct Source {
     std::string_view key, label, help, paper;
-    /// Shading can evaluate the source itself; else it reads the visibility texture.
+    /// True: shading evaluates the source by itself. False: shading reads the visibility texture.
     bool fused = false;
     SourceNeeds needs;
-    /// GLSL file below shaders/ with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn; the
-    /// result of traced rays is copied, and without rays all is lit.
+    /// GLSL file below shaders/ with `float source_visibility(Surface s, int light)`. Empty: no shader evaluates the
+    /// source; visibility is copied from traced rays, and is 1 without them.
     std::string_view file;
     std::span<const std::string_view> settings = {};  ///< setting keys that only this source reads
     /// Reason why the source's visibility is only an approximation; empty if it converges to the exact one.
@@ -42,9 +42,9 @@ std::span<const Source> sources();
 /// Returns the technique that makes the shadows of light number `light` (light.source), even if the light casts no
 /// shadow.
 const Source& source_of(const Settings& settings, int light);
-/// Returns true when the source of any light that casts shadows has the need `what`, for example &SourceNeeds::map.
+/// Returns true when any light that casts shadows has a source with the need `what`, for example &SourceNeeds::map.
 bool any_source_needs(const Settings& settings, bool SourceNeeds::*what);
-/// Returns true when there are lights and the shadows of none come from a shadow map (light.source). Settings of shadow
+/// Returns true when there are lights, but none gets its shadows from a shadow map (light.source). Settings of shadow
 /// maps then have no effect.
 bool no_source_is_map(const Settings& settings);
 

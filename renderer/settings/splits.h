@@ -15,7 +15,7 @@ namespace si {
 struct SplitRow {
     std::string_view key, label, help;
     std::string_view paper;                           ///< source; empty: common knowledge
-    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
+    std::span<const std::string_view> settings = {};  ///< keys of settings that a row reads only if it lists them
 };
 
 /// Returns the table of cascade splits, the ways to divide the camera's depth among cascades, in the order of the

@@ -17,11 +17,11 @@ namespace si {
 std::span<const StartingValue> starting_values(const Settings& before, const Settings& after);
 
 /// Sets in `after` the values that come with its new bias.kind, as starting_values() returns them.
-/// @param held keys of settings that keep their values, since the same person set them too
+/// @param held keys of settings that keep their values, since they are set explicitly along with bias.kind
 void set_starting_values(const Settings& before, Settings& after, const std::set<std::string>& held = {});
 
-/// Returns the keys of all settings that change along when a person chooses a value of the setting `ref`, whichever it
-/// is. Empty for settings other than bias.kind.
+/// Returns the keys of all settings that may change along with the setting `ref`: those with a starting value under any
+/// bias.kind. Empty for settings other than bias.kind.
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
 /// Returns the settings that a command line must name with --set to turn the settings `a` into `b`. First come those
