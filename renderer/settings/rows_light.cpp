@@ -275,9 +275,9 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(stretch), .label = "Range factor", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
          .help =
-             "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
-             "around its middle. Under spot and point lights, near is divided by the factor, and far is multiplied by "
-             "it. Steps of stored depth grow with the range. A factor of 1 changes nothing."},
+             "Factor by which the depth range is longer than the range from near to far. Under parallel light the "
+             "range grows around its middle. Under spot and point lights, near is divided by the factor, and far is "
+             "multiplied by it. Steps of stored depth grow with the range. A factor of 1 changes nothing."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
          .help = "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is "

@@ -154,9 +154,9 @@ constexpr std::string_view kNoOffset =
 constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Width and height of each shadow map image, in texels. Twice the resolution halves the size of a texel "
-             "on the ground and takes four times the memory. A size beyond what the driver can allocate is clamped. "
-             "While casters move and the light's map does not, cached static casters take the same memory again. With "
+     .help = "Width and height of each shadow map image, in texels. Twice the resolution halves the size of a texel on "
+             "the ground and takes four times the memory. A size beyond what the driver can allocate is clamped. While "
+             "some casters move in an unchanged map, the cache of static casters takes the same memory again. With "
              "map.virtual, only pages that are read take memory.",
      .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
              "shadow.mapSize",
@@ -177,9 +177,9 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
              "farther away than anything stored, and turn dark.",
      .also = "far plane, beyond far, shadow distance", .shader = true},
     {SI_FIELD(map.face_guard), .label = "Guard of faces", .idle = face_guard_idle,
-     .help = "Draws each of the six faces of a point light's map wider than 90 degrees, by the texels that look-ups "
-             "reach: at least 6. Off: a look-up near a face's side leaves the face, its result follows map.wrap, and "
-             "seams show. A spot light wider than 171 degrees also has six faces.",
+     .help = "Draws each of the six faces of a point light's map wider than 90 degrees. The margin is as many texels "
+             "as look-ups reach, at least 6. Off: a look-up near a face's side leaves the face, its result follows "
+             "map.wrap, and seams show. A spot light wider than 171 degrees also has six faces.",
      .also = "cube map seams, seamless, face border, guard band"},
     {SI_FIELD(map.compare), .label = "Depth test", .cost = Cost::Program, SI_CHOICES(kCompares), .idle = compare_idle,
      .help = "Comparison of the fragment's depth with the stored depth: less, or less or equal (greater, or greater "
@@ -248,9 +248,10 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .file = true},
     {SI_FIELD(map.bundle_maps), .label = "Bundle's maps", .cost = Cost::Target, SI_CHOICES(kBundleMaps),
      .idle = bundle_maps_idle,
-     .help = "Choice between the images in map.bundle and maps that this program draws again for the same light. "
-             "Drawn maps use the bundle's matrices, sizes and raster state. They show changes that need another map "
-             "from the engine. map.resolution, bias.raster_* and caster.cull begin with the bundle's values.",
+     .help = "Choice between the images in map.bundle and maps that this program draws again for the same light. Drawn "
+             "maps use the bundle's matrices, sizes and raster state. So changes can be tried for which the engine "
+             "would have to draw another map. map.resolution, bias.raster_* and caster.cull begin with the bundle's "
+             "values.",
      .also = "same light, redraw, beside theirs"},
     {SI_FIELD(map.bundle_bias), .label = "Engine's bias", SI_CHOICES(kBundleBiases), .idle = bundle_bias_idle,
      .help = "Source of the bias with which the engine reads the maps of map.bundle. A bundle may leave this bias "
@@ -351,16 +352,17 @@ bool slope_acts(const Settings& s) {
 constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .cost = Cost::Program, .choices = bias_choices,
      .help = "Rule for the amount that is subtracted from the fragment's depth before the comparison. Normal offset "
-             "and polygon offset are added to it. Choosing another kind sets bias.constant and bias.normal to the "
+             "and polygon offset act in addition. Choosing another kind sets bias.constant and bias.normal to the "
              "starting values of that kind: 0.1 and 3 texels for slope and constant, 0 and 0 for all other kinds. "
              "Values given in the same command line or sweep are kept.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
-     .help = "The bias is max(slope bias * (1 - N·L), constant bias), with N·L the cosine between surface normal and "
-             "light. It is subtracted from the fragment's depth before the comparison. Too small a bias leaves acne. "
-             "Too large a bias detaches shadows from their casters (peter-panning).",
+     .help = "Constant part of the bias. With bias.kind slope the bias is max(slope bias * (1 - N·L), constant bias), "
+             "with N·L the cosine between surface normal and light. The bias is subtracted from the fragment's depth "
+             "before the comparison. Too small a bias leaves acne. Too large a bias detaches shadows from their "
+             "casters (peter-panning).",
      .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne, r.Shadow.CSMDepthBias", .shader = true,
      .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
@@ -441,8 +443,8 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .shader = true},
     {SI_FIELD(filter.bilinear), .label = "Bilinear taps", .cost = Cost::Program,
      .help = "Blends 2x2 texels in each comparison, as a shadow sampler with linear filtering does in most engines. "
-             "Edges are smoother, and the bias must cover half a texel more of reach. Off: each comparison takes the "
-             "nearest texel.",
+             "Edges are smoother. The kernel reaches half a texel farther, so it needs more bias. Off: each comparison "
+             "takes the nearest texel.",
      .also = "linear shadow sampler, hardware PCF, sampler2DShadow", .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
@@ -527,7 +529,7 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
              "filter.exponent.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.moment_bias), .label = "Moment bias", .min = 0, .max = 0.1, .logarithmic = true,
-     .help = "Share of the moments that is replaced by one half. A share of about 3e-6 covers rounding in 32 bits, "
+     .help = "Share by which each moment is blended with one half. A share of about 3e-6 covers rounding in 32 bits, "
              "and 3e-5 in 16 bits. Rounding leaves moments that no depths can have. Too small a share leaves noise. "
              "Too large a share lets light bleed in.",
      .shader = true},

@@ -18,8 +18,9 @@ constexpr std::string_view kNone = "without effect: no light has contact shadows
 constexpr auto kSourceParams = std::to_array<Param>({
     {SI_FIELD(volumes.allow_large), .label = "Draw large volumes",
      .help = "Draws shadow volumes even if more than 20000 triangles of casters belong to no closed surface. Each of "
-             "these triangles adds faces of its own, and a picture may take minutes. Off: such a light has no shadow. "
-             "A note then gives the number of triangles and how often their faces would cover the picture."},
+             "these triangles adds faces of its own, and a picture may take minutes. Off: in such a scene the light "
+             "has no shadow. A note then gives the number of triangles and how often their faces would cover the "
+             "picture."},
     {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
      .help = "Number of samples along the ray. Thin casters between samples are missed. Each pixel starts at its own "
@@ -44,8 +45,8 @@ constexpr auto kSourceParams = std::to_array<Param>({
      .read_by = ReadBy::Blobs},
     {SI_FIELD(light_map.resolution), .label = "Resolution", .unit = "texels", .min = 16, .max = 16384,
      .logarithmic = true, .cost = Cost::Target,
-     .help = "Side of the square texture that holds all surfaces of the scene, with one byte for each texel and "
-             "light. All surfaces have the same number of texels per metre: as many as fit, which the pass reports. A "
+     .help = "Side of the square texture that holds all surfaces of the scene, with one byte for each texel and light. "
+             "All surfaces have the same number of texels per metre: as many as fit. The pass reports this number. A "
              "shadow edge is off by up to 0.7 texels."},
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .min = 1, .max = 1 << 20, .logarithmic = true,
      .cost = Cost::Target,
