@@ -6,13 +6,15 @@
 namespace si {
 
 /// Helper of passes that draw visible surfaces into images: binds the images with the shared camera depth, clears them,
-/// and draws the scene. A pass constructs one while it runs. The first of a frame draws the camera depth too.
+/// and draws the scene. A pass constructs a CameraDrawing while it runs. The first CameraDrawing of a frame also draws
+/// the camera depth where needed.
 class CameraDrawing {
 public:
-    /// Resizes the images where needed, without keeping their contents, and binds them for drawing.
+    /// Resizes the images to the picture's size where needed, without keeping their contents, and binds them for
+    /// drawing.
     /// @param label name in error messages and frame debuggers
     CameraDrawing(FrameState& f, std::string_view label, GLenum format, std::span<gl::Target> images);
-    /// Resizes one image where needed and binds it for drawing.
+    /// Resizes one image to the picture's size where needed, and binds it for drawing.
     CameraDrawing(FrameState& f, std::string_view label, GLenum format, gl::Target& image)
         : CameraDrawing(f, label, format, std::span(&image, 1)) {}
     /// Binds one layer of an image that already has the picture's size.
@@ -23,8 +25,10 @@ public:
     CameraDrawing& clear(const glm::vec4& value);
     /// Clears all bound integer images to a value, and returns this object for chaining.
     CameraDrawing& clear(const glm::uvec4& value);
-    /// Draws all opaque and masked objects with a fragment shader.
-    /// @param[out] info draw counts
+    /// Draws the opaque and masked objects that the camera sees.
+    /// @param fragment fragment shader file
+    /// @param extra more defines of the shader
+    /// @param[out] info draw and triangle counts
     void draw(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const {
         f_.draw_from_camera(fragment, extra, info);
     }

@@ -39,7 +39,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    std::array<gl::Target, kVisibleSurfaceImages> images_;  ///< RGBA32F; the key of all is the first one's
+    std::array<gl::Target, kVisibleSurfaceImages> images_;  ///< RGBA32F; the first one has the cache key of all
     std::size_t drawn_ = 0;                                 ///< number of images that were drawn last
 };
 
@@ -52,8 +52,8 @@ private:
     gl::Target coordinates_;  ///< RGBA32F
 };
 
-/// Binds other images of surfaces (positions and normals) in place of the frame's visible surfaces, so that the same
-/// shaders evaluate other pixels.
+/// Binds other images of surfaces (positions and normals) in place of the frame's visible surfaces. Shaders that read
+/// visible surfaces then evaluate other points.
 /// @param seen images as VisibleSurfacesPass draws them
 void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen);
 

@@ -13,22 +13,22 @@ namespace si {
 
 struct FrameState;
 
-/// Flat side of a mesh: a plane that contains triangles facing one direction.
+/// Direction that triangles of a mesh face: their unit normal, and a corner of the first such triangle, mesh space.
 struct MeshSide {
     glm::dvec3 normal, corner;
 };
-/// Flat sides of one mesh, by which casters are recognised that the light sees edge-on.
+/// Directions that the triangles of a mesh face, to recognise casters with a side that the light sees edge-on.
 struct MeshSides {
-    std::vector<MeshSide> sides;  ///< empty: the mesh has too many sides, all of them small
-    double least_height = 0;      ///< smallest height of its triangles that have an area, metres
+    std::vector<MeshSide> sides;  ///< empty: too many directions to test, or no triangle has an area
+    double least_height = 0;      ///< smallest height of a triangle, mesh space; 0 if any triangle is degenerate
 };
 
 /// Cache keys of the depths that the scene's casters draw into a shadow map. Equal keys mean equal depths, so a cached
 /// map stays valid.
 struct CasterContent {
     std::uint64_t key = 0;  ///< cache key of the scene (Scene::id) and of the settings of its casters
-    /// Content key of each instance, in the order of SceneGpu: all that its depths depend on, except the settings
-    /// shared by all instances (ReadBy::Maps). 0: the instance never casts.
+    /// Content key of each instance, by index in SceneGpu::instance_objects(): all that the instance's depths depend
+    /// on, except the settings shared by all instances (ReadBy::Maps). 0: the instance never casts.
     std::vector<std::uint64_t> of;
 };
 
@@ -49,8 +49,8 @@ struct CasterContentCache {
     std::vector<TextureContent> textures;
 };
 
-/// Cache of facts about casters: flat sides of meshes, and keys (hashes) of their content. Each is computed when first
-/// needed. Each renderer has one (Resources::caster_findings).
+/// Cache of facts about casters: directions that triangles of meshes face, and keys (hashes) of casters' content. Each
+/// fact is computed when first needed. Each renderer has one cache (Resources::caster_findings).
 struct CasterFindings {
     PerMeshCache<std::optional<MeshSides>> sides;
     PerMeshCache<RigidMeshKeys> rigid_content;

@@ -14,7 +14,7 @@ struct CasterRaster;
 /// Choice of the casters to draw into a shadow map, by needed map cells and by instance.
 struct CasterChoice {
     const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
-    const std::vector<bool>* only = nullptr;  ///< instances to draw, in the order of SceneGpu; null: all
+    const std::vector<bool>* only = nullptr;  ///< by index in SceneGpu::instance_objects(): true draws it; null: all
     bool keeps_contents = false;              ///< true: draws over the map's contents; false: clears the map first
     MapCells* covered = nullptr;              ///< receives all cells that drawn casters may cover; may be null
     const CasterRaster* raster = nullptr;     ///< raster state of the map; null: as the settings say
@@ -47,7 +47,8 @@ void append_index_range(std::vector<IndexRange>& parts, IndexRange next);
 /// Part of an instance that is drawn into a map: nothing, the whole mesh, or some of its index ranges.
 enum class InstanceParts { Nothing, Whole, Parts };
 
-/// Callback that returns which part of an instance to draw. Instances count in the order of SceneGpu.
+/// Callback that returns which part of an instance to draw.
+/// @param instance index in SceneGpu::instance_objects()
 /// @param[out] parts index ranges to draw for InstanceParts::Parts
 using InstancePartsQuery = std::function<InstanceParts(std::size_t instance, std::vector<IndexRange>& parts)>;
 
@@ -63,7 +64,7 @@ bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 /// @param convention depth convention, which decides the value of the far depth
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
-/// Counts of the casters that drawing a shadow map skipped, or drew by front faces alone or without a fragment shader.
+/// Counts of casters that were skipped, or drawn with less work, while a shadow map was drawn.
 struct SkippedCasters {
     std::uint64_t outside_map = 0;       ///< instances entirely outside the map
     std::uint64_t unread = 0;            ///< instances that cover no needed cell
@@ -74,11 +75,12 @@ struct SkippedCasters {
 /// Draws casters into the bound framebuffer and viewport, as seen from a light. Used for pages of virtual shadow maps.
 /// Returns the counts of skipped casters.
 /// @param seen callback that returns the parts to draw of each instance; empty: every caster as a whole
-/// @param[out] info draw counts
+/// @param[out] info draw and triangle counts
 SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info);
-/// Draws the casters inside one of a light's views into the framebuffer of a whole map.
+/// Draws the casters that one view of a light contains into the framebuffer of a whole map. Returns the counts of
+/// skipped casters.
 /// @param unfiltered true: draws without polygon offset, with masks at their finest mip level
-/// @param[out] info draw counts
+/// @param[out] info draw and triangle counts
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
                             const LightView& view, PassInfo& info, const CasterChoice& choice = {});
 

@@ -18,9 +18,9 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Blurs the depths in all layers of the shadow maps by a box filter. Called when the plan runs the pass.
+    /// Blurs the depths in all layers of the shadow maps by a box filter. Called when a frame draws this pass.
     /// @param radius texels on each side of a texel
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, int radius, PassInfo& info);
 
     Targets targets_;

@@ -13,7 +13,7 @@ namespace si {
 
 class PagePasses;
 
-/// Cached map of the static casters of one light: those casters, and the cache keys of the map's contents.
+/// State of the cached map of one light's static casters: the casters, and the cache keys of the map's contents.
 struct StaticMapState {
     StaticCasters casters;
     std::uint64_t geometry = 0;  ///< cache key of the geometry drawn last
@@ -26,7 +26,7 @@ struct DrawnMaps {
     gl::Target static_casters;                     ///< maps of static casters alone; empty where nothing moves
     gl::Target depth;                              ///< depth buffer for one view of a colour map
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light: key of its layers' contents
-    /// Drawn cells by light and view. No look-up has needed the other cells yet.
+    /// Map cells drawn so far, by light and view. No look-up has needed the other cells yet.
     std::array<std::vector<MapCells>, kMaxLights> drawn_cells;
     std::array<StaticMapState, kMaxLights> static_states;
 };
@@ -35,7 +35,7 @@ struct DrawnMaps {
 class LightDepthPasses : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns the map textures of all lights.
+    /// Returns the shadow map textures of all lights, with the keys of their contents.
     DrawnMaps& maps() { return maps_; }
 
 private:
@@ -51,9 +51,9 @@ public:
 
 private:
     /// Draws a second shadow map of each light, without polygon offset and with alpha masks at their finest mip level.
-    /// The trials that find the cause of a wrong pixel read it for the true depth of casters. Called when the plan runs
-    /// the pass.
-    /// @param[out] info draw counts
+    /// The trials that find the cause of a wrong pixel read it for the true depth of casters. Called when a frame draws
+    /// this pass.
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, PassInfo& info);
 
     LightDepthPasses& light_depth_;

@@ -21,13 +21,13 @@ public:
 
     void declare(FrameState& f) override;
     /// Binds the storage buffers from which shaders compute the light map atlas coordinates of a surface point, and
-    /// updates the offset of the camera-relative origin. Call before visibility is drawn for a light with a light map.
+    /// writes the frame's origin into them. Call before visibility is drawn for a light with a light map.
     void bind_buffers(const FrameState& f) const;
 
 private:
-    /// Uploads the baked light maps of a frame, one atlas layer each. Called when the plan runs the pass.
+    /// Uploads the baked light maps of a frame, one atlas layer each. Called when a frame draws this pass.
     /// @param maps the frame's light maps, not null, all with the same atlas layout
-    /// @param[in,out] info sizes are appended to its reason
+    /// @param[in,out] info report on the pass; sizes of the light maps are appended to its reason
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);
 
     Targets targets_;

@@ -21,8 +21,8 @@ public:
 
 private:
     /// Computes for each block of map texels the two planes that enclose all depths within the kernel's reach, in all
-    /// map layers. Called when the plan runs the pass.
-    /// @param[out] info draw counts
+    /// map layers. Called when a frame draws this pass.
+    /// @param[out] info draw and triangle counts
     void run(const FrameState& f, PassInfo& info);
 
     Targets targets_;

@@ -20,14 +20,14 @@ public:
 
     void declare(FrameState& f) override;
     /// Returns the depths that the map viewer shows black (x) and white (y), on the scale of shown_depth(). They are
-    /// fitted to the drawn depths (view.map_fit), or equal view.map_black and view.map_white.
+    /// fitted to the drawn depths (view.map_fit, view.map_contrast), or equal view.map_black and view.map_white.
     glm::vec2 grey_range(const FrameState& f) const;
 
 private:
-    /// Draws the map viewer's picture. Called when the plan runs the pass.
+    /// Draws the map viewer's picture. Called when a frame draws this pass.
     /// @param camera true: shows the camera's depth in place of a shadow map
     /// @param layer layer of the shadow map textures to show
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, bool camera, int layer, PassInfo& info);
 
     Targets targets_;

@@ -27,8 +27,9 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Computes the moments (averaged functions of depth) of all shadow map layers. Called when the plan runs the pass.
-    /// @param[out] info draw counts
+    /// Computes the moments (averaged functions of depth) of all shadow map layers. Called when a frame draws this
+    /// pass.
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, PassInfo& info);
 
     Targets targets_;

@@ -22,7 +22,7 @@ struct SearchedPages {
 
 /// Counts of invalid numbers in a pool of virtual shadow map pages, one tile for each page, as copied from the GPU.
 struct PoolTiles {
-    gl::Buffer read_back;  ///< copy of `found` for the CPU
+    gl::Buffer read_back;  ///< copy of the tiles for the CPU
     glm::ivec2 tiles{0};   ///< columns and rows
     int page = 0;          ///< texels along a page's side
     std::vector<SearchedPages> layers;
@@ -51,8 +51,8 @@ public:
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}
     void declare(FrameState& f) override;
     /// Returns the invalid numbers that the last search found in a frame; null while the GPU has not finished the
-    /// search, or before any.
-    /// @param wait true: waits for the GPU
+    /// search, or before the first search.
+    /// @param wait true: waits for the GPU, 60 s at most
     std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:

@@ -70,9 +70,10 @@ public:
     /// @param key_of returns the hash of everything that a page's contents depend on; pages with equal keys are shared
     PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
                             int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
-    /// Returns the pages along the pool's side. choose_pages() may enlarge the pool, which drops all pages.
+    /// Returns the number of pages along one side of the pool. choose_pages() may enlarge the pool, which drops all
+    /// pages.
     int side() const { return side_; }
-    /// Returns the number of pages in the pool.
+    /// Returns the number of pages that the pool holds now.
     int held() const { return int(by_key_.size()); }
     /// Returns the capacity of the pool in pages.
     int room() const { return int(slots_.size()); }

@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Boxes and content keys of casters, by which pages of virtual shadow maps choose what to draw. Members are by
-/// instance, in the order of SceneGpu.
+/// Boxes and content keys of all casters, to find the casters of each page of a virtual shadow map. Members are by
+/// index in SceneGpu::instance_objects().
 struct PagedCasters {
     std::uint64_t key = 0;                ///< CasterContent::key from which this was made
     std::vector<std::uint64_t> content;   ///< content key of each instance's depths; 0: never casts
@@ -61,7 +61,7 @@ public:
     /// @param size width and height in texels
     std::vector<float> read_map_depths(const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
                                        glm::ivec2 size) const;
-    /// Returns the pages that the last frame read, for the search for number faults.
+    /// Returns the virtual map pages that look-ups of the last frame read, for the search for invalid numbers.
     const std::vector<PlacedPage>& read_pages() const { return targets_.choice.read; }
     /// Returns statistics of the pages of virtual shadow maps in the current frame.
     /// @param drawn true: this frame drew pages; false: all pages were cached

@@ -20,23 +20,23 @@ public:
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;
-        std::uint64_t fitted_key = 0;  ///< cache key of the values behind `fitted`
+        std::uint64_t fitted_key = 0;  ///< cache key of the values to which `fitted` is fitted
     };
 
     explicit PanePasses(const PagePasses& pages) : slabs_(pages) {}
     void declare(FrameState& f) override;
-    /// Returns the range of the colour scale with which a pane's overlay is shown. A fitted scale reads the overlay's
-    /// values back from the GPU, once after each change.
+    /// Returns the range of the colour scale with which a pane's overlay is shown. To fit the scale, reads the
+    /// overlay's values back from the GPU, once after each change.
     ValueRange range_of(const FrameState& f, const ShownPane& pane);
 
 private:
-    /// Returns the pass that draws the values of a pane's overlay, such as bias slack, before they are coloured.
+    /// Returns the pass that draws the values of a pane's overlay, before they are coloured.
     Pass values_pass(FrameState& f, const ShownPane& pane);
     /// Returns the pass that colours the values of a pane's overlay and blends them over the picture.
     Pass compose_pass(FrameState& f, const ShownPane& pane);
     /// Returns the pass that draws texels of the shown shadow map as quads over a pane's picture (view.slabs).
     Pass slabs_pass(FrameState& f, const ShownPane& pane);
-    /// Returns the images of the pane's slot.
+    /// Returns the images kept for a pane. Panes with the same overlay share them.
     Targets& targets_of(const ShownPane& pane) { return slots_[std::size_t(pane.slot)]; }
 
     std::array<Targets, kMaxPanes> slots_;

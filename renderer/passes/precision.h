@@ -15,13 +15,13 @@ struct Precision;
 class PrecisionPass : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns the errors of the last run; null before the first.
+    /// Returns the rounding errors that the last run measured; null before the first run.
     const std::shared_ptr<const Precision>& found() const { return found_; }
 
 private:
     /// Draws the map coordinates of all pixels' look-ups, reads them back and compares them with double precision on
-    /// the CPU. Called when the plan runs the pass.
-    /// @param[out] info draw counts
+    /// the CPU. Called when a frame draws this pass.
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target uvd_;    ///< RGBA32F, see DrawnLookUps

@@ -19,7 +19,7 @@ std::string missing_reference_reason(const FrameState& f);
 /// eight colour attachments, see CauseEvidence. They show the causes of wrong pixels.
 /// @param light light index
 /// @param reference_known true: a reference of this light is uploaded
-/// @param[out] info draw counts
+/// @param[out] info draw and triangle counts
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 
 /// Passes that compare the picture with the ray-traced reference. They upload the reference, compare each pixel with
@@ -39,7 +39,7 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Returns the error metrics of the last run; null before the first.
+    /// Returns the shadow error metrics that the last run computed; null before the first run.
     const std::shared_ptr<const LiveError>& error() const { return targets_.error; }
 
 private:

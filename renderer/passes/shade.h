@@ -22,7 +22,8 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Adds to the frame's plan the pass that darkens creases of the picture, for the look "studio" (Result::Creases).
+    /// Adds to the frame's plan the pass that darkens creases of the picture (screen-space ambient obscurance), for the
+    /// look "studio" (Result::Creases).
     void declare_creases(FrameState& f);
     /// Adds to the frame's plan the pass that averages pictures by a jittered camera, which smooths edges of a static
     /// view (Result::Smooth).
@@ -40,9 +41,9 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Uploads the ray-traced visibility of view.light and shades the picture with it. Called when the plan runs the
+    /// Uploads the ray-traced visibility of view.light and shades the picture with it. Called when a frame draws this
     /// pass.
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target picture_;

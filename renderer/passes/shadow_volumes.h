@@ -24,20 +24,20 @@ namespace si {
 /// faces add one, back faces subtract one. It is right only if the camera is in no volume and its near plane cuts none.
 ///
 /// Volumes are infinite; for an orthographic camera they end far from the scene. Faces beyond the camera's far plane
-/// count, as depth is clamped. A light cap coincides with its caster's surface. The cap is drawn from the same corners
-/// in the same order, so that depths are equal in every bit. It counts as behind the surface. Masked triangles cast as
-/// if opaque. Blended triangles do so too, where caster.blend lets them cast. Caster culling is ignored: all casters
-/// cast from both sides. 256 nested volumes count as none.
+/// count, as depth is clamped. A light cap (end of a volume near the light) coincides with its caster's surface. The
+/// cap is drawn from the same corners in the same order, so that depths are equal in every bit. It counts as behind the
+/// surface. Masked triangles cast as if opaque. Blended triangles do so too, where caster.blend lets them cast. Caster
+/// culling is ignored: all casters cast from both sides. The stencil has 8 bits: 256 nested volumes count as none.
 class ShadowVolumes {
 public:
-    /// Largest count of casters' triangles without a closed surface, over all instances. Above it nothing is drawn
-    /// unless volumes.allow_large, as each such triangle adds side faces.
+    /// Largest number of a light's caster triangles that belong to no closed surface, over all instances. With more,
+    /// the light's volumes are drawn only with volumes.allow_large, since each such triangle adds side faces.
     static constexpr std::size_t kMaxOpenTriangles = 20'000;
 
     /// Builds the stencil shadow volumes of the frame's lights where they changed, and decides which are too large to
     /// draw.
     void prepare(const FrameState& f);
-    /// Returns true when the light's volumes are drawn.
+    /// Returns true when the frame draws shadow volumes of the light.
     bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
     /// Returns the reason why a light's volumes are not drawn. Empty: they are drawn, or the light has another source.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
@@ -63,7 +63,7 @@ private:
         bool used = false;
         bool before = false;  ///< z-pass: counts faces in front of the surface
         std::string refusal;
-        std::uint64_t shape = 0;  ///< key of the triangles
+        std::uint64_t shape = 0;  ///< cache key of `indices`
         std::vector<Part> parts;
         std::vector<std::uint32_t> indices;
         std::size_t index_count = 0, open_triangles = 0;
@@ -85,16 +85,16 @@ private:
     void upload_corners();
     /// Copies the camera's depth into the depth and stencil buffer against which faces of shadow volumes are tested,
     /// unless the copy is current.
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void copy_depth(const FrameState& f, PassInfo& info);
     /// Counts in the stencil buffer how many shadow volumes of a light contain each pixel's surface, and marks pixels
     /// in none as lit.
     /// @param light light index
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void count_volumes(const FrameState& f, std::size_t light, PassInfo& info);
     /// Draws the caps or sides of a light's shadow volumes into the stencil buffer.
     /// @param first, last kinds of faces to draw, from `first` to `last`: 0 caps, 1 reversed caps, 2 sides
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 
     std::uint64_t scene_ = 0, depth_copied_ = 0;

@@ -11,8 +11,7 @@ namespace si {
 
 class PagePasses;
 
-/// Drawing of shadow map texels of the shown light as quads over the picture of a pane (view.slabs). Member of
-/// PanePasses.
+/// Helper of PanePasses that draws texels of the shown shadow map as quads over the picture of a pane (view.slabs).
 class TexelSlabs {
 public:
     /// Images and buffers that TexelSlabs keeps between frames: for each pane the picture with map texels drawn over it

@@ -19,10 +19,10 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Evaluates the filter kernels of all pixels and marks each shadow map texel that they fetch. Called when the plan
-    /// runs the pass.
+    /// Evaluates the filter kernels of all pixels and marks each shadow map texel that they fetch. Called when a frame
+    /// draws this pass.
     /// @param layer layer of the shadow map textures
-    /// @param[out] info draw counts
+    /// @param[out] info draw and triangle counts
     void run(const FrameState& f, int layer, PassInfo& info);
 
     Targets targets_;

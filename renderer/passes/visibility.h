@@ -28,8 +28,8 @@ public:
     Image layer_image(int light);
 
 private:
-    /// Draws the visibility of all lights, one image layer each. Called when the plan runs the pass.
-    /// @param[out] info draw counts
+    /// Draws the visibility of all lights, one image layer each. Called when a frame draws this pass.
+    /// @param[out] info draw and triangle counts
     void run(FrameState& f, PassInfo& info);
     /// Returns the shader file for the method (light.source) by which a light's visibility is found. Empty when the
     /// light's image layer is not drawn: it is fully lit, or traced visibility is uploaded into it.
