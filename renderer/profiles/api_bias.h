@@ -14,21 +14,23 @@ struct ApiNames {
     bool whole_units = false;  ///< units are integers
 };
 
-/// Returns the bias parameters of a graphics API as an engine profile lists them: three of its polygon offset, and a
-/// depth bias and normal offset that the program's own shader may add.
+/// Returns the bias parameters of a graphics API as an engine profile lists them: three of the polygon offset, and the
+/// depth bias and normal offset of an application's own shader.
 std::array<EngineParameter, 5> api_parameters(const ApiNames& names);
 
-/// Converts the bias parameters of a graphics API (polygon offset, and the numbers of the program's own shader) to the
+/// Converts the bias parameters of a graphics API (polygon offset, and numbers of an application's own shader) to the
 /// bias terms that all engines share.
 BiasNumbers read_api_bias(const ApiNames& names, const EngineProfile& profile, const EngineValues& values,
                           const MapFacts& facts);
 /// Converts a bias in the terms that all engines share to the bias parameters of a graphics API. A constant becomes
-/// polygon offset units for formats with equal depth steps; otherwise it becomes a number for the program's own shader.
+/// polygon offset units for formats with equal depth steps; otherwise it becomes a number for the application's own
+/// shader.
 /// @param to receives the numbers
 void write_api_bias(const ApiNames& names, const BiasNumbers& bias, const MapFacts& facts, EngineOutput& to);
 
-/// Returns the profile of an API. @tparam kNames names of its polygon offset
-/// @param head row with name, title, version and what is not verified
+/// Returns the profile of a graphics API: `head` with bias parameters and conversions added.
+/// @tparam kNames names of the API's polygon offset parameters
+/// @param head profile with name, title, version and what is not verified
 template <const ApiNames& kNames>
 EngineProfile api_profile(EngineProfile head) {
     static const std::array kParameters = api_parameters(kNames);

@@ -19,11 +19,11 @@ struct BiasNumbers {
     double constant_texels = 0;             ///< along the light's axis
     Exactness constant = Exactness::Exact;  ///< EqualAtAngle: the constant stands for a bias that grows with the angle
     std::string constant_note;
-    BiasUnit constant_unit = BiasUnit::Texels;  ///< unit that the engine counts in, which holds for every cascade
+    BiasUnit constant_unit = BiasUnit::Texels;  ///< unit in which the engine's constant is equal for all cascades
     double normal_texels = 0;
-    OffsetBy normal_by = OffsetBy::Length;    ///< rule by which normal_texels counts
-    OffsetBy settings_by = OffsetBy::Length;  ///< rule of the settings, from which normal_texels may be converted
-    double settings_normal_texels = 0;        ///< normal offset of the settings, which counts by settings_by
+    OffsetBy normal_by = OffsetBy::Length;    ///< dependence of normal_texels on the angle
+    OffsetBy settings_by = OffsetBy::Length;  ///< bias.normal_by of the settings, for settings_normal_texels
+    double settings_normal_texels = 0;        ///< normal offset of the settings, before conversion to normal_by
     std::string normal_note;
     double raster_slope = 0, raster_units = 0, raster_clamp = 0;
     MapFormat format = MapFormat::D32F;
@@ -40,10 +40,10 @@ struct BiasNumbers {
 };
 
 /// Converts this program's bias settings to terms that all engines share: constant, normal offset and polygon offset. A
-/// slope bias, and a bias that is computed from the receiver's plane, become constants: their amounts at the reference
-/// angle. A normal offset whose length
-/// depends on the light's angle becomes one of constant length, equal at the reference angle.
-/// @throws Error when an amount is not finite
+/// slope bias, or a bias computed from the receiver's plane, becomes a constant: its amount at the reference angle. A
+/// normal offset whose length depends on the light's angle becomes one of constant length, equal at the reference
+/// angle.
+/// @throws Error when the bias is not finite at the reference angle
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
 /// Returns the tangent of the reference angle between surface normal and light (MapFacts::angle_deg).
@@ -62,21 +62,22 @@ double raster_equivalent(double slope, double units, const MapFacts& facts);
 /// Returns a / b, or 0 where b is so small that it is a rounding error of zero.
 double quotient(double a, double b);
 
-/// Returns the worse of two degrees to which conversions are exact.
+/// Returns the less exact of two degrees of exactness.
 Exactness least_exact(Exactness a, Exactness b);
 
-/// Returns the size of one unit of polygon offset in depth [0,1], by the map's format: 2^-16 for D16, else 2^-24, which
-/// for float formats holds from a half to 1.
+/// Returns the size of one unit of polygon offset in depth [0,1], by the map's format: 2^-16 for D16, else 2^-24. For
+/// float formats this is the depth step from 0.5 to 1.
 double raster_unit_depth(MapFormat format);
 
-/// Collector of the values of an engine's parameters, to which this program's bias is converted.
+/// Collector of engine parameter values to which this program's bias is converted.
 class EngineOutput {
 public:
-    /// Receives numbers of a profile's parameters.
+    /// Creates a collector that adds values of the profile's parameters to `to`.
     EngineOutput(const EngineProfile& profile, WrittenValues& to, const MapFacts& facts)
         : profile_(profile), to_(to), facts_(facts) {}
-    /// Adds a number of the bias, clamped to the range that the engine accepts, with a note when that changes it.
-    /// @param texels equivalent depth bias of the number @param literal see ConvertedParameter::literal
+    /// Adds the value of an engine parameter, clamped to the range that the engine accepts. Adds a note when clamping
+    /// changes the value.
+    /// @param texels equivalent depth bias of the value @param literal see ConvertedParameter::literal
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
     /// Adds the value of an engine's normal offset parameter, which moves the look-up by its whole length at any angle.
@@ -84,9 +85,10 @@ public:
     /// @param value length in the engine's unit
     /// @param bias bias that is converted
     void put_length_offset(std::string_view key, double value, const BiasNumbers& bias);
-    /// Records in the result that a setting has no counterpart in the engine. A value of 0 needs none and is ignored.
+    /// Records in the result that a setting has no counterpart in the engine. Ignores a value of 0, which needs no
+    /// counterpart.
     void miss(std::string_view key, double value, std::string reason);
-    /// Adds a remark on the conversion, for people.
+    /// Adds a remark on the conversion, for display.
     void note(std::string text);
 
 private:

@@ -20,7 +20,7 @@ struct MapFacts {
     int cascades = 1;          ///< number of cascades of the light
     double angle_deg = 45;     ///< reference angle between the geometric normal and the direction to the light
     double view_m = 10;        ///< distance from the camera, for parameters that scale with it
-    double view_fov_deg = 90;  ///< horizontal field of view of the camera, for the same
+    double view_fov_deg = 90;  ///< horizontal field of view of the camera, for such parameters
     MapFormat format = MapFormat::D32F;
     bool reversed_z = false;
 
@@ -29,23 +29,23 @@ struct MapFacts {
 };
 
 /// Checks the facts of a shadow map before engine parameters are converted.
-/// @throws Error naming the fact that is no finite number in its range
+/// @throws Error naming the first fact that is not a finite number in its range
 void require_sound(const MapFacts& facts);
 
 /// Degree to which a converted bias or setting draws the same shadows in the other program.
 enum class Exactness {
     Exact,         ///< at every angle of a flat surface
-    EqualAtAngle,  ///< at MapFacts::angle_deg only
+    EqualAtAngle,  ///< bias: at MapFacts::angle_deg only; other numbers: approximately
     Missing,       ///< the other side has no counterpart, and the number is left out
 };
-/// Keys of the degrees in JSON, by Exactness.
+/// Keys of the degrees of exactness in JSON, by Exactness.
 inline constexpr std::string_view kExactnessKeys[] = {"exact", "equal-at-angle", "missing"};
 
 /// Named value of an engine's parameter, with the settings of this program that it stands for.
 struct EngineChoice {
     std::string_view key;  ///< the engine's name: "PCFShadowMap"
-    /// Our assignments, separated by spaces: "filter.kernel=vogel filter.taps=5". Behind "|" follow values for which
-    /// the choice is the nearest.
+    /// Settings of this program with values, separated by spaces: "filter.kernel=vogel filter.taps=5". After "|" follow
+    /// alternatives, for which this choice is the nearest that the engine has.
     std::string_view settings;
 };
 
@@ -56,14 +56,15 @@ struct EngineParameter {
     double standard = 0;        ///< the engine's default; for choices the index
     double min = 0, max = 1e6;  ///< range of values that the engine accepts
     std::string_view meaning;
-    std::string_view source;   ///< where the engine's documentation or code says so
-    std::string_view setting;  ///< setting that the parameter changes foremost; empty: none
-    /// Factor from the engine's number to this program's setting, for parameters that are a setting in another unit. 0:
-    /// EngineProfile::read_bias and write_bias convert.
+    std::string_view source;   ///< place in the engine's documentation or code
+    std::string_view setting;  ///< main setting that the parameter changes; empty: none
+    /// Factor that converts the engine's number to the value of `setting`. 0: no factor converts it; for the bias see
+    /// EngineProfile::read_bias and write_bias.
     double scale = 0;
     std::span<const EngineChoice> choices = {};
-    bool is_bias = false;  ///< number of the bias, which a search for the best bias varies
-    /// Parameter of caster.cull: a given value holds for double-sided materials, too. Its default does not.
+    bool is_bias = false;  ///< parameter of the bias, which a search for the best bias varies
+    /// For parameters of caster.cull. True: a given value applies to double-sided materials too, but the default does
+    /// not.
     bool holds_for_double_sided = false;
 };
 
@@ -80,7 +81,7 @@ struct LackingSetting {
     std::string_view reason;
 };
 
-/// Numbers of an engine by parameter key; choices as indices. Parameters that are absent have their default.
+/// Values of an engine's parameters by parameter key; choices as indices. Absent parameters have their default.
 using EngineValues = std::map<std::string, double, std::less<>>;
 
 /// Setting of this program, with the value to which an engine's parameters were converted.
@@ -96,7 +97,8 @@ struct ConvertedParameter {
     double value = 0;  ///< in the engine's unit; for choices the index
     Exactness exactness = Exactness::Exact;
     std::string note;
-    /// Number that carries over this part of the bias alone, without regard to hidden bias; else equal to `value`.
+    /// Number that converts this part of the bias alone, without regard to bias that the engine adds by itself. Equal
+    /// to `value` for parameters other than the bias.
     double literal = 0;
     double metres = 0, texels = 0;  ///< equivalent depth bias at the reference angle; 0 for parameters of no bias
 };
@@ -139,19 +141,20 @@ struct EngineProfile {
     std::span<const EngineParameter> parameters = {};
     std::span<const ForcedSetting> forced = {};
     std::span<const LackingSetting> lacking = {};
-    /// Keys of the rows of the bias table that the engine has; empty: all, in an own shader.
+    /// Keys of the rows of the bias table that the engine has; empty: all, in an application's own shader.
     std::span<const std::string_view> bias_rows = {};
     /// Dependence of the engine's normal offset on the angle.
     OffsetBy normal_by = OffsetBy::Length;
-    /// The cascades of a light share its map: each has half the width if there are several.
+    /// True: the cascades of a light share one map. If there are several, each gets half the map's width.
     bool cascades_share_map = false;
     /// Constant bias that the engine adds at the look-up by itself, as a share of the depth range.
     double hidden_depth = 0;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.
     double (*hidden_texels)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
-    /// Converts the engine's bias parameters into settings.
+    /// Converts the engine's bias parameters to terms that all engines share.
     BiasNumbers (*read_bias)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
-    /// Converts a bias into the engine's parameters. The values are those of the other parameters.
+    /// Converts a bias to the engine's parameters, and adds them to the EngineOutput. EngineValues has the other
+    /// parameters.
     void (*write_bias)(const BiasNumbers&, const EngineValues&, const MapFacts&, EngineOutput&) = nullptr;
 };
 
@@ -167,7 +170,7 @@ double engine_value(const EngineProfile& profile, const EngineValues& values, st
 /// gives its index.
 /// @throws UsageError with the allowed values
 double parse_engine_value(const EngineProfile& profile, const EngineParameter& parameter, std::string_view text);
-/// Formats the value of an engine's parameter: the name of a choice, or else a number of up to six digits.
+/// Formats the value of an engine's parameter: the name of a choice, or else a number of up to six significant digits.
 std::string engine_value_text(const EngineParameter& parameter, double value);
 
 /// Converts parameter values of an engine to settings of this program. The bias is always converted, with defaults for
@@ -175,9 +178,10 @@ std::string engine_value_text(const EngineParameter& parameter, double value);
 /// @throws Error for facts or values that are not finite or out of range
 std::vector<ConvertedSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
                                                  const MapFacts& facts);
-/// Converts this program's settings into parameters of the engine. Settings that a profile has forced count as asked
-/// for. The bias is converted so that the equivalent depth bias at the reference angle is equal, hidden bias included,
-/// and never below 0.
+/// Converts this program's settings into parameters of the engine. The equivalent depth bias at the reference angle
+/// stays equal, with the bias that the engine adds by itself. Numbers are not lowered below 0 to make up for that bias.
+/// Bias from apply_forced_settings() counts like any other bias in `settings`.
+/// @param facts `format` and `reversed_z` are ignored: `settings` give them
 /// @param kept values of engine parameters that no setting gives, such as a project's console variables
 /// @throws Error as read_engine_values()
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
@@ -191,14 +195,15 @@ std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Set
 const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
 /// Returns true when an engine has a kind of bias. @param key key of a row of the bias table, such as "normal-offset"
 bool has_bias_row(const EngineProfile& profile, std::string_view key);
-/// Returns bias settings that are raised to at least the bias that the engine adds by itself and cannot turn off.
+/// Returns bias settings with the bias that the engine adds by itself and cannot turn off. Sets the bias settings that
+/// the engine fixes, and raises the constant to at least EngineProfile::hidden_depth.
 BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias, const MapFacts& facts);
 /// Returns the reason why an engine cannot draw a change of settings: it fixes or lacks a setting, or has no such
 /// kernel or bias. Empty: it can draw the change.
 /// @param before present settings
 /// @param with changed settings
 std::string reason_engine_lacks(const EngineProfile& profile, const Settings& before, const Settings& with);
-/// Returns the entry of the profile by which an engine lacks the present value of a setting; null if the engine has it.
+/// Returns the profile's entry for a setting whose present value the engine lacks; null if the engine has the value.
 /// @param key key of the setting
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key);
 

@@ -27,16 +27,17 @@ struct EngineWording {
     std::string text(std::span<const std::pair<std::string, std::string>> changes) const;
 };
 
-/// Returns true when a text is the name of an engine parameter that stands for a setting, ignoring case. Used to find
-/// settings by the names of other engines.
+/// Returns true when a text is the name of a parameter of any engine that stands for the setting `ref`, ignoring case.
+/// Used to find settings by the names of other engines.
 bool engine_name_matches(const SettingRef& ref, std::string_view text);
-/// Returns one line for each parameter of an engine that a setting stands for, with its conversion: "three.js
-/// normalBias (m): Shift of ... 1 m = 102 texels at W 20 m, N 2048".
-/// @param name only parameters with this name; empty: all @param only engine; null: all
+/// Returns one line for each parameter of an engine that a setting stands for, with an example of its conversion:
+/// "three.js normalBias (m): Shift of ... 0.02 = 2.9 texels = 0.0283 m at W 20 m, N 2048, D 40 m, 45 degrees".
+/// @param name only parameters with this name; empty: all
+/// @param only the only engine to list; null: all
 std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name = {},
                                          const EngineProfile* only = nullptr);
-/// Returns the depth bias in texels that acts like all bias parameters of an engine at the reference angle, with the
-/// bias that the engine adds by itself (equivalent depth bias).
+/// Returns the depth bias in texels that acts like all bias parameters of an engine at the reference angle (equivalent
+/// depth bias). The bias that the engine adds by itself is included.
 /// @throws Error as read_engine_values(); also for a profile without conversions
 double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts);
 
