@@ -40,7 +40,7 @@ enum class BoxPlacement { Outside, Crossing, Inside };
 BoxPlacement classify_box(const Box& body, std::span<const HalfSpace> planes);
 
 /// Returns points whose convex hull is the part of a box inside all of the half-spaces; none if no part is inside.
-/// Precondition: the half-spaces bound an infinite prism, and no corner of the prism lies inside the box.
+/// Precondition: the half-spaces bound an infinite prism, so that none of their common corners lies inside the box.
 /// @param planes the half-spaces, such as the sides of a light's view
 std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes);
 

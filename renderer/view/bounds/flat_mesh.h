@@ -16,8 +16,8 @@ constexpr double flat_tolerance(double radius) {
 }
 
 /// Returns the plane that contains all vertices of a mesh, in the space of the mesh; empty if the mesh is not flat. The
-/// tolerance is flat_tolerance(). If rounding the coordinates to single precision loses more, the tolerance is that
-/// rounding, at most 1/10,000 of the radius.
+/// tolerance is flat_tolerance(), or the single-precision rounding of the coordinates where that is larger, up to
+/// 1/10,000 of the radius.
 std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
 /// Returns true when a mesh cannot shadow its own front faces: no vertex lies in front of the plane of any triangle.

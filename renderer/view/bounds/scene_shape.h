@@ -20,20 +20,21 @@ namespace si {
 struct SceneShape {
     glm::dvec3 centre{0};
     double radius = 1;                     ///< radius of the sphere around the bounds, metres; never 0
-    double main_radius = 1;                ///< radius around main_bounds(), metres; `radius` where nothing is far
-    bool one_box = false;                  ///< one box stands for all objects
-    std::vector<Box> boxes;                ///< world boxes, one an object or one for the scene; never empty
-    std::vector<bool> box_casts;           ///< objects that cast; indexed as `boxes`, like all members named box_*
+    double main_radius = 1;                ///< `radius` without objects far from the rest (main_bounds())
+    bool one_box = false;                  ///< `boxes` has one box for the whole scene instead of one per object
+    std::vector<Box> boxes;                ///< world space; one per object, or one for the scene; never empty
+    std::vector<bool> box_casts;           ///< objects that cast; by index in `boxes`, like all members named box_*
     std::vector<bool> box_receives;        ///< objects that receive shadows
     std::vector<std::size_t> box_objects;  ///< indices into Scene::objects
     /// Planes of flat objects, world space; empty for objects that are not flat within box_tolerance.
     std::vector<std::optional<HalfSpace>> box_planes;
     std::vector<double> box_tolerance;  ///< flatness tolerance in metres
-    /// Boxes around all poses of an animated object. Its triangles at one time do not bound them.
+    /// Flags of boxes that enclose all poses of an animated object. The object's triangles at one time do not fill such
+    /// a box.
     std::vector<bool> box_spans_animation;
     std::optional<std::size_t> ground;  ///< index of the box of the generated ground under a model; empty without one
-    /// Convex polygon around one light's shadows on the ground, or a single point. Empty: the whole box of the ground
-    /// counts.
+    /// Convex polygon around one light's shadows on the ground, or a single point, world space. Empty: the whole box of
+    /// the ground counts.
     std::vector<glm::dvec3> ground_shadow;
     bool triangles = false;  ///< the scene has triangles
     bool casters = false;    ///< an object with triangles casts
@@ -68,11 +69,11 @@ ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 /// @param widening factor on the width of the pyramid
 Box view_pyramid(const LightView& view, double near, double far, double widening = 1);
 
-/// Clips a world-space box to the four sides of a light view with parallel rays. Returns the bounding box of the rest
-/// in the axes of the view, metres.
+/// Clips a world-space box to the four sides of a light view with parallel rays. Returns the bounding box of the part
+/// inside, in the axes of the view, metres.
 ViewExtent extent_inside_view(const Box& box, const LightView& view);
 /// Clips the box of one object of a scene to the four sides of a light view with parallel rays. Returns the bounding
-/// box of the rest in the axes of the view, metres. For a ground, only its shadowed part counts.
+/// box of the part inside, in the axes of the view, metres. For a ground, only its shadowed part counts.
 /// @param box index into SceneShape::boxes
 ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view);
 

@@ -11,11 +11,12 @@
 
 namespace si {
 
-/// Makes the picture's camera from the settings. Sources are manual values, the view of the light in view.light, or
-/// automatic. A light's camera takes the near and far planes of the light's view; the map fills the shorter side of the
-/// picture. The automatic camera is the scene's own or frames the bounds; it also replaces a missing light.
+/// Makes the picture's camera from the settings: from manual values, through the light of view.light, or automatically.
+/// A camera through a light has the near and far planes of the light's view; the map fills the shorter side of the
+/// picture. The automatic camera is the scene's own, or frames the bounds. It also replaces a camera through a light
+/// without a map.
 /// @param aspect width / height of the picture
-/// @param fitted_without_camera fit_maps() of the settings' lights without a camera; empty: fitted here if needed
+/// @param fitted_without_camera lights fitted by fit_maps() without a camera; empty: fitted here if needed
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> fitted_without_camera = {});
 

@@ -32,7 +32,7 @@ public:
     /// @param clip_from_relative clip space from positions relative to `origin` (world)
     /// @param clamps_near true: casters before the near plane are drawn on it (pancaking), so near and far planes do
     /// not cull
-    /// @param resolution texels a side of the map
+    /// @param resolution texels along a side of the map
     BoxCuller(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
               bool clamps_near, int resolution);
     /// Returns true when no part of a world-space box can cover a texel of the view, so that the object need not be

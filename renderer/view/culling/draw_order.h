@@ -15,8 +15,8 @@ namespace si {
 /// Indices of two boxes of a sequence, the smaller first.
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Returns the pairs of boxes that touch each other. Only such boxes can contain coplanar surfaces. The draw order then
-/// decides which surface is visible, so sorting must not change it.
+/// Returns the pairs of boxes that touch each other. Only such boxes can contain coplanar surfaces. Among coplanar
+/// surfaces the draw order decides which one is visible. Sorting must therefore keep the order of touching boxes.
 /// @param room_m padding of the boxes in metres, for float rounding of surfaces
 /// @return empty optional when there are too many boxes or pairs to find in a few milliseconds
 std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxes, double room_m);

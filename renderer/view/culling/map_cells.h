@@ -62,7 +62,7 @@ public:
     bool operator==(const MapCells&) const = default;
 
 private:
-    std::array<std::uint64_t, kCells> rows_{};  ///< one bit a cell
+    std::array<std::uint64_t, kCells> rows_{};  ///< one bit per cell
 };
 
 }  // namespace si

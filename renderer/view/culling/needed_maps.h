@@ -43,7 +43,7 @@ struct VisibleBodies {
     CameraSlice view;  ///< view frustum with padding for rounding
     std::vector<VisibleBody> bodies;
     bool unknown = false;  ///< a body has non-finite bounds: anything may be visible
-    /// Inverse world matrices by object. Set for objects with clusters that show one side.
+    /// Inverse world matrices by object. Set only for objects with a cluster that has a normal cone (Cluster::axis).
     std::vector<glm::dmat4> mesh_from_world;
 };
 
@@ -59,23 +59,23 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
 struct LookupArea {
     int resolution = 1;       ///< texels along the map's shorter side
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
-    double normal_texels = 0;  ///< normal offset where it counts in texels
-    double normal_m = 0;       ///< normal offset where it counts in metres
+    double normal_texels = 0;  ///< normal offset if it is set in texels, else 0
+    double normal_m = 0;       ///< normal offset if it is set in metres, else 0
     MapWrap wrap = MapWrap::Border;
-    bool whole_maps = false;  ///< a value read depends on the whole map, as with mip levels or summed-area tables
+    bool whole_maps = false;  ///< every value read depends on the whole map, as with mip levels or summed-area tables
     bool reads_border_texels = false;  ///< look-ups outside the map read its border texels, even with weight 0
-    bool only_lit_points = false;      ///< visibility counts only where light arrives
+    bool only_lit_points = false;      ///< visibility matters only where the light arrives
 };
 
 /// Parts of one light's shadow maps that look-ups read: a set of map cells (MapCells) for each cascade or cube face.
 /// Other cells need not be drawn.
 struct NeededMaps {
-    std::vector<MapCells> views;  ///< cells by view of the light
-    std::string unneeded_reason;  ///< reason for all cells being empty; empty text: some cells are set
+    std::vector<MapCells> views;  ///< needed cells by view of the light
+    std::string unneeded_reason;  ///< reason why no cell is needed; empty: some cells are needed
 };
 
 /// Finds the cells of a casting light's shadow maps that look-ups at visible surfaces may read. Casters that cover none
-/// of a map's needed cells need not be drawn into it.
+/// of the needed cells of a map need not be drawn into that map.
 /// @param seen surfaces that the camera may see
 /// @param area extent of a look-up around a surface's place in the map
 NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area);

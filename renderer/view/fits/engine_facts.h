@@ -6,15 +6,15 @@
 
 namespace si {
 
-/// Returns the size, depth range and format of one shadow map of a light. Engine profiles need these facts to convert
-/// bias numbers. Width and texels are those of the longer side; in perspective the width is that in the middle of the
-/// depth range.
+/// Returns the size, depth range and format of one shadow map of a light, for converting bias values from and to other
+/// engines (engine_profile.h). Width and texels are those of the longer side. In perspective the width is that in the
+/// middle of the depth range.
 /// @param size texels of the map
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size);
-/// Returns the size, depth range and format of the first shadow map of a light. Engine profiles need these facts to
-/// convert bias numbers. Without a map: the lengths of the worked example, with the format of the settings.
-/// @param light null: none
-/// @param size texels of its maps
+/// Returns the size, depth range and format of the first shadow map of a light, for converting bias values from and to
+/// other engines (engine_profile.h). Without a map, width and depth are the defaults of MapFacts.
+/// @param light null: there is no light
+/// @param size texels of the light's maps
 MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size);
 
 }  // namespace si

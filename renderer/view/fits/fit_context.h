@@ -19,9 +19,10 @@ inline constexpr double kMinHalfAngle = 1e-3;
 inline constexpr double kMaxHalfAngle = 1.5;
 /// Margin at each side of a map in texels, so that a kernel at the scene's edge finds cleared texels.
 inline constexpr double kMarginTexels = 2;
-/// Least near / far of a perspective map: D24 then resolves far / 20,000.
+/// Smallest ratio near / far of a perspective map. A D24 map then resolves about far / 17,000 at the far plane.
 inline constexpr double kMinNearShare = 1e-3;
-/// Least visible depth as a share of the farthest: a camera inside the scene sees surfaces at 0 m.
+/// Smallest camera depth that a fit uses, as a share of the farthest visible depth. A camera inside the scene sees
+/// surfaces at 0 m.
 inline constexpr double kMinSeenDepthShare = 1e-3;
 /// Margin at each end of the depth range, as a share of the range.
 inline constexpr double kDepthMargin = 1e-4;
@@ -33,13 +34,13 @@ struct FitContext {
     const LightSettings& settings;  ///< settings of this light
     const Settings& all_settings;
     DepthConvention convention;
-    int resolution;                   ///< texels a side of a map
-    double face_margin_texels;        ///< face_margin_texels()
+    int resolution;                   ///< texels along a side of a map
+    double face_margin_texels;        ///< margin around a cube face, from face_margin_texels()
     double reach_m;                   ///< range of a spot or point light in metres; infinite when unlimited
     const Camera* camera;             ///< null for fits without a camera
-    double margin_texels;             ///< fit_margin_texels()
-    std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces, where they were measured
-    double normal_m = 0;              ///< normal offset where it counts in metres; all_settings has it in texels
+    double margin_texels;             ///< margin around the region to cover, from fit_margin_texels()
+    std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces; nullopt: not measured
+    double normal_m = 0;              ///< normal offset if it is set in metres, else 0; all_settings has it in texels
 };
 
 /// Adds a message to the notes of a light, unless the light has it already.
@@ -55,7 +56,7 @@ double eye_advance_m(double near, double far);
 /// counts as at least 2^-13 of `scale`, a thousand steps of single precision.
 /// @param half half width without margin: metres, or in perspective the tangent of half the angle
 /// @param scale size of the scene in the same unit, such as its radius
-/// @param resolution texels a side of the map
+/// @param resolution texels along a side of the map
 /// @param margin texels
 double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
@@ -69,8 +70,8 @@ void add_finished_view(FittedLight& light, LightView view, const FitContext& c, 
 /// that cross an edge between faces then find their texels.
 double face_margin_texels(const Settings& settings);
 
-/// Computes the six cube face views of a point light or of a spot light with a wide cone. All share one depth range, so
-/// a stored depth means the same distance in each.
+/// Computes the six cube face views of a point light or of a spot light with a wide cone. All faces share one depth
+/// range, so that a stored depth means the same distance in each face.
 void fit_faces(FittedLight& light, const FitContext& c);
 
 /// Fits the single shadow map of a directional light or a spot light, and adds its view to the light.

@@ -24,10 +24,10 @@ bool is_always_lit(const FittedLight& light, const Settings& settings);
 /// the square of the distance. They are scaled together so that the brightest contributes 1 at the scene's centre.
 PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
-/// Returns the margin in texels that a fit adds around the region that a shadow map has to cover: kernel reach, normal
-/// offset and two texels more. The margin grows in steps of 1/64 of the map. Most kernels and resolutions therefore
-/// share a region, and one traced reference serves all of them. The normal offset is clamped to 3 to 32 texels.
-/// @param resolution texels a side of the map
+/// Returns the margin in texels that a fit adds around the region that a shadow map has to cover. It is the sum of
+/// kernel reach, depth blur, normal offset (clamped to 3 to 32 texels) and two texels. The margin grows in steps of
+/// 1/64 of the map. Most kernels and resolutions therefore share a region, and one traced reference serves all of them.
+/// @param resolution texels along a side of the map
 double fit_margin_texels(const Settings& settings, int resolution);
 
 /// Computes the shadow map views of every placed light: what each map covers, by the fit in the settings. A pure
@@ -35,7 +35,7 @@ double fit_margin_texels(const Settings& settings, int resolution);
 /// @param scene the scene in which the lights were placed
 /// @param camera camera of the picture; null: fits that depend on a camera cover the whole scene
 /// @param max_resolution the GL limit on texture size
-/// @param seen_m camera depths of all visible surfaces, as measured for light.depth_bounds sdsm
+/// @param seen_m camera depths of all visible surfaces, measured for light.depth_bounds=sdsm; nullopt: not measured
 /// @param picture_lines height of the picture in pixels, for clip levels
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution = 16384,

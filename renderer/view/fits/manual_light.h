@@ -11,7 +11,7 @@ namespace si {
 /// @param fitted the light, from fit_lights() with `settings`
 LightSettings manual_light(const LightSettings& settings, const FittedLight& fitted);
 
-/// Returns the world-space point from which the target of a light is counted (light.N.target_x, target_y and target_z).
+/// Returns the world-space point to which the settings light.N.target_x, target_y and target_z are relative.
 glm::dvec3 target_origin(const LightSettings& settings, const FittedLight& fitted);
 
 }  // namespace si

@@ -11,7 +11,7 @@ namespace si {
 /// Tests whether a light's shadow maps are too coarse for any bias: whether all depths of the scene fall into one step
 /// of the map format, or the scene into one texel. Views along which the scene is flat are not tested.
 /// @param views views of the light
-/// @param resolution texels a side of the map
+/// @param resolution texels along a side of the map
 MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& views, MapFormat format, int resolution);
 
 /// Returns warnings to the user about shadow maps that are too coarse: one sentence for each limit that applies, with a

@@ -6,24 +6,26 @@
 
 namespace si {
 
-/// Sets near and far planes of an orthographic light view by light.near_far. The view's width is set before.
+/// Sets near and far planes of an orthographic light view as the setting light.near_far says. The view's width must be
+/// set before.
 /// @param found depth range that the fit found along the view's axis, metres
 /// @param receivers depth range of the receivers; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 
-/// Returns the distance in metres that the near plane needs in front of the nearest receiver when casters before it are
-/// flattened onto it (pancaking). Such casters then stay in front of every compared depth, in spite of bias and kernel.
+/// Returns the distance in metres that the near plane needs in front of the nearest receiver when casters before the
+/// near plane are flattened onto it (pancaking). Such casters then stay in front of every compared depth, in spite of
+/// bias and kernel.
 /// @param texel_m width of a texel, metres
 /// @param range_m depth range without the margin, metres
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m);
 
 /// Returns the distance in metres by which the far plane of a directional light moves back for a ground under a model.
-/// Kernels at the end of a shadow on the ground read around it. Returns 0 without a ground.
+/// A kernel at the far end of a ground shadow reads texels of the ground behind it. Returns 0 without a ground.
 /// @param texel_m width of a texel across the rays, metres
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m);
 
-/// Sets near and far planes of a perspective light view whose width is set already, by light.near_far: from the boxes
-/// inside its pyramid and the range of the light.
+/// Sets near and far planes of a perspective light view as the setting light.near_far says, from the boxes inside its
+/// pyramid and the range of the light. The view's width must be set before.
 void set_perspective_range(LightView& view, const FitContext& c);
 
 /// Returns the largest distance in texels between the place of a surface in a shadow map and a texel that its look-up

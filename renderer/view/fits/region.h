@@ -43,7 +43,7 @@ using MapRegion = Bounds2;
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
 /// Returns a region of a light's view that contains every place where a caster shadows a receiver facing the light;
-/// empty without any shadow. Shadow maps need cover no more. Tests boxes. Flat casters and large convex casters are
+/// empty without any shadow. Shadow maps need not cover more. Tests boxes. Flat casters and large convex casters are
 /// also clipped by their planes and outlines, since they cannot shadow their own lit side. Back-facing triangles of
 /// single-sided receivers are skipped.
 /// @param seen a slice of the camera's frustum; only the parts of receivers inside it count
@@ -52,8 +52,8 @@ std::optional<MapRegion> shadowed_region(const FitInput& in, const CameraSlice* 
 /// Returns the region of a light's view in which casters shadow any receiver (light.fit casters). The shadow map then
 /// covers the region. Empty if there is no shadow.
 std::optional<MapRegion> fit_casters(const FitInput&);
-/// Returns the region of a light's view in which casters shadow receivers that the camera sees (light.fit view);
-/// without a camera, any receivers. The shadow map then covers the region. Empty if there is no shadow.
+/// Returns the region of a light's view in which casters shadow receivers that the camera sees (light.fit view).
+/// Without a camera, all receivers count. The shadow map then covers the region. Empty if there is no shadow.
 std::optional<MapRegion> fit_view(const FitInput&);
 
 }  // namespace si

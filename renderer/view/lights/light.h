@@ -43,14 +43,14 @@ struct MapLimits {
 /// Light as the settings place it in the scene, before its shadow maps are fitted. Independent of the camera.
 struct PlacedLight {
     LightType type = LightType::Directional;
-    glm::dvec3 position{0};        ///< world; for a directional light before a fit centres the map
-    glm::dvec3 target{0};          ///< world; `position` lies from here along `to_light`
+    glm::dvec3 position{0};        ///< world; for a directional light, its place before a fit centres the map
+    glm::dvec3 target{0};          ///< world; `position` is `target` + `distance_m` times `to_light`
     glm::dvec3 to_light{0, 1, 0};  ///< unit vector; directional: towards the light; spot: against its axis
     double distance_m = 0;         ///< distance between position and target
     double half_cone_rad = 0;      ///< half the angle of a spot light's cone
-    double cos_cone_outer = -1;    ///< cosine at which a spot light ends
-    double cos_cone_inner = -1;    ///< cosine at which a spot light begins to fall off
-    double size = 0;           ///< angular radius as a tangent (directional, below 89 degrees), else radius in metres
+    double cos_cone_outer = -1;    ///< cosine of the angle from the axis at which a spot light ends
+    double cos_cone_inner = -1;    ///< cosine of the angle from the axis at which a spot light begins to fall off
+    double size = 0;           ///< tangent of the angular radius (directional, up to 89 degrees), else radius in metres
     bool six_faces = false;    ///< needs six cube faces, since one map cannot hold all its directions
     double range_m = 0;        ///< distance at which a spot or point light ends; 0: unlimited
     glm::dvec3 radiance{1};    ///< colour x intensity, normalised by place_lights()
@@ -68,9 +68,9 @@ struct FittedLight : PlacedLight {
     MapProvider provider = MapProvider::Drawn;  ///< origin of its maps
     std::string reason;                         ///< reason why the light has no map; empty: it has one
     std::string dark;                           ///< reason why the light lights no surface; empty: it may light some
-    std::string empty;  ///< reason why the light's maps hold no caster, under a fit without camera; else empty
+    std::string empty;  ///< reason why the light's maps contain no caster, if the fit ignores the camera; else empty
     std::vector<LightView> views;   ///< all perspective or none; faces in the order +x -x +y -y +z -z; or cascades
-    ViewChooser chooser;            ///< choice of the view in which a point is looked up
+    ViewChooser chooser;            ///< rule that chooses the view in which a point is looked up
     std::vector<ClipLevel> levels;  ///< grid positions of clip levels; else empty
     /// Guarantee of the fit: no surface that the light reaches lies in shadow outside the map. Shaders treat points
     /// outside the map as lit.
@@ -104,7 +104,7 @@ constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;
 }
 
-/// Lights of the settings, from 0 to light_count - 1, placed in a scene. For each light also the boxes of objects
+/// Lights of the settings, from 0 to light_count - 1, placed in a scene. Each light comes with the boxes of objects
 /// (SceneShape) that its shadow maps have to cover.
 struct PlacedLights {
     std::shared_ptr<const SceneShape> shape;  ///< shape of the whole scene

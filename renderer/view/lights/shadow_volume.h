@@ -28,7 +28,7 @@ struct VolumeMesh {
     /// Triangle of a mesh from which shadow volumes are built, with its corners and edges.
     struct Triangle {
         std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the camera's winding order
-        std::array<std::uint32_t, 3> edges{};    ///< edge from each corner to the next
+        std::array<std::uint32_t, 3> edges{};    ///< index of the edge from each corner to the next
         std::uint32_t part = 0;                  ///< index into `parts`
     };
     /// Connected component of a mesh from which shadow volumes are built: triangles joined by common edges.
@@ -50,13 +50,13 @@ struct VolumeMesh {
 struct VolumeLight {
     bool parallel = true;
     glm::dvec3 to_light{0, 1, 0};  ///< unit vector, for parallel light
-    glm::dvec3 position_ws{0};     ///< world, for other light
+    glm::dvec3 position_ws{0};     ///< world, for spot and point lights
 };
 
 /// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 is the copy of
 /// this corner moved far away from the light. Light caps (ends near the light) are triangles of the mesh itself. They
-/// keep the winding with which the camera draws them, so that both draw bit-equal depths. Seen from outside the volume,
-/// all triangles wind counter-clockwise but those in `clockwise_caps`.
+/// keep the camera's winding order, so that volumes and camera pass draw bit-equal depths. Seen from outside the
+/// volume, all triangles wind counter-clockwise but those in `clockwise_caps`.
 struct VolumeTriangles {
     std::vector<std::uint32_t> caps;            ///< light caps that turn counter-clockwise
     std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise

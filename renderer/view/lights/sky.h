@@ -15,13 +15,13 @@ struct Sky {
     glm::dvec3 below{0};    ///< ground below the horizon
     glm::dvec3 ambient{1};  ///< ambient light on a vertical surface, luminance 1, before shading.ambient
     double rise = 0;        ///< extra ambient share on a surface facing the brightest part of the sky
-    double sunward = 0;     ///< tilt from straight up to the brightest part, as a share of the horizontal sun direction
+    double sunward = 0;     ///< the brightest part lies along up plus `sunward` times the horizontal part of `to_sun`
     glm::dvec3 to_sun{0, 1, 0};  ///< unit
     double glow = 0;             ///< extra brightness around the sun, as a share
 };
 
-/// Returns the unit direction to the brightest directional light; without one, to a default sun half way up. Used to
-/// draw the sky.
+/// Returns the unit direction to the brightest directional light. Without such a light, returns that of a default sun
+/// 49 degrees above the horizon. Used to draw the sky.
 glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights);
 
 /// Returns the colours of the sky and its ambient light for a sun direction. They are interpolated by the sun's height:
@@ -29,7 +29,7 @@ glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights);
 /// @param to_sun unit direction to the sun
 Sky sky_for_sun(const glm::dvec3& to_sun);
 
-/// Returns the relative luminance of a linear Rec. 709 colour, that is its brightness by one number; 1 for white.
+/// Returns the relative luminance of a linear Rec. 709 colour; 1 for white.
 double luminance(const glm::dvec3& colour);
 
 }  // namespace si
