@@ -16,9 +16,9 @@
 
 namespace si {
 
-/// Largest number of maps of one light of a bundle.
+/// Largest number of shadow maps of one light in a bundle (an engine's frame as files).
 inline constexpr std::size_t kMaxBundleMaps = 16;
-/// Largest number of texels along one side of a bundle's image.
+/// Largest width and height of a shadow map's image in a bundle (an engine's frame as files), texels.
 inline constexpr int kMaxBundleImageSide = 16384;
 
 /// Axes, unit and origin of the engine's world: `world` of frame.json.
@@ -26,18 +26,18 @@ struct BundleWorld {
     UpAxis up = UpAxis::Y;  ///< never UpAxis::File
     bool left_handed = false;
     double metres_per_unit = 1;  ///< above 0
-    glm::dvec3 origin{0};        ///< place of the world's origin, in units of the engine
+    glm::dvec3 origin{0};        ///< added to the engine's positions, in its units, if they are relative to the camera
     bool operator==(const BundleWorld&) const = default;
 };
 
 /// Matrix from the engine's world to clip space: one matrix, or a view and a projection. Exactly one of
-/// `clip_from_world`, `view` and `world_from_view` is set; `projection` is set beside the latter two.
+/// `clip_from_world`, `view` and `world_from_view` is set. With `view` or `world_from_view`, `projection` is set too.
 struct BundleMatrix {
     std::optional<glm::dmat4> clip_from_world;
-    std::optional<glm::dmat4> view;             ///< view space from world
-    std::optional<glm::dmat4> world_from_view;  ///< axes and place of the camera: inverse of `view`, without rounding
+    std::optional<glm::dmat4> view;             ///< view space from the engine's world
+    std::optional<glm::dmat4> world_from_view;  ///< inverse of `view`, stored unrounded: axes and place of the camera
     std::optional<glm::dmat4> projection;       ///< clip space from view space
-    /// Returns clip space from the engine's world; the identity where nothing is set.
+    /// Returns the matrix from the engine's world to clip space; the identity if no member is set.
     glm::dmat4 matrix() const {
         if (clip_from_world) return *clip_from_world;
         const glm::dmat4 p = projection.value_or(glm::dmat4(1));
@@ -55,19 +55,19 @@ struct BundleCamera {
     bool operator==(const BundleCamera&) const = default;
 };
 
-/// End of a map that an image's first stored row shows: Bottom is clip y = -1, Top is clip y = +1.
+/// Edge of a shadow map that the first stored row of its image holds. Bottom is clip y = -1, Top is clip y = +1.
 enum class FirstRow { Bottom, Top };
 
-/// Number type of the texels of a raw image, little-endian. U24 takes four bytes, the value in the low 24 bits.
+/// Number type of the texels of a raw image, little-endian. U24 takes four bytes, with the value in the low 24 bits.
 enum class RawFormat { F32, F16, U16, U24, U32 };
 
 /// Image file that holds a shadow map, and its layout: `image` of a map in frame.json.
 struct BundleImage {
     std::string file;                   ///< path in the bundle
-    std::optional<FirstRow> first_row;  ///< not set: see first_row_of()
-    int width = 0, height = 0;          ///< texels, for raw images; 0: the file says it
+    std::optional<FirstRow> first_row;  ///< edge of the map in the first stored row; not set: see first_row_of()
+    int width = 0, height = 0;          ///< texels; needed for raw images; 0: the file states the size
     std::optional<RawFormat> format;    ///< set for raw images
-    int channels = 1, channel = 0;      ///< channels of a texel (raw), and the one that is read
+    int channels = 1, channel = 0;      ///< channels per texel of a raw image; index of the channel that is read
     bool operator==(const BundleImage&) const = default;
 };
 
@@ -77,12 +77,13 @@ struct BundleRegion {
     bool operator==(const BundleRegion&) const = default;
 };
 
-/// Meaning of a stored texel: depth-buffer value; 0 to 1 from near to far plane along the axis; metres along the axis;
-/// metres from the eye; metres from the eye over BundleDepth::range_m; exp of BundleDepth::exponent times Linear; first
-/// moment, which is Linear.
+/// Quantity that the texels of an engine's shadow map store. Depth: depth-buffer value. Linear: 0 to 1 from near to far
+/// plane along the light's axis. AxisMetres: metres along the axis. DistanceMetres: metres from the eye. DistanceShare:
+/// metres from the eye, divided by BundleDepth::range_m. Exponential: exp(BundleDepth::exponent times Linear). Moments:
+/// first moment, read as Linear.
 enum class BundleStored { Depth, Linear, AxisMetres, DistanceMetres, DistanceShare, Exponential, Moments };
 
-/// Storage of depth in the engine, for the step of depth.
+/// Format in which the engine stores the depths of its shadow map. It gives the step between depths.
 enum class BundleDepthFormat { D16, D24, D32F, R16F, R32F };
 
 /// Meaning of the values in a shadow map's texels: `depth` of a map in frame.json.
@@ -90,16 +91,16 @@ struct BundleDepth {
     DepthConvention convention;
     BundleStored stored = BundleStored::Depth;
     BundleDepthFormat format = BundleDepthFormat::D32F;
-    std::optional<double> range_m;   ///< set for BundleStored::DistanceShare, metres
-    std::optional<double> exponent;  ///< set for BundleStored::Exponential
-    std::optional<double> clear;     ///< stored value of texels without a caster; not set: the far plane
-    /// Distances of near and far plane along the axis, metres; not set: from the matrix.
+    std::optional<double> range_m;   ///< distance that is stored as 1, metres; set for BundleStored::DistanceShare
+    std::optional<double> exponent;  ///< factor of the depth inside exp(); set for BundleStored::Exponential
+    std::optional<double> clear;     ///< stored value of texels without a caster; not set: that of the far plane
+    /// Distances of the near and far plane along the light's axis, metres; not set: they follow from the matrix.
     std::optional<std::array<double, 2>> planes_m;
-    std::optional<DepthWarp> warp;  ///< ranges of the rows of a warped map (LiSPSM); not set: from the matrix
+    std::optional<DepthWarp> warp;  ///< depth ranges of the rows of a warped map (LiSPSM); not set: from the matrix
     bool operator==(const BundleDepth&) const = default;
 };
 
-/// Winding of front faces in the map's image.
+/// Winding of front faces while an engine draws casters into a shadow map, as glFrontFace() takes it.
 enum class BundleFront { Ccw, Cw };
 
 /// Raster state with which an engine drew casters into a map, in terms of OpenGL: `raster` of a map in frame.json.
@@ -109,8 +110,8 @@ struct BundleRaster {
     std::optional<Cull> cull;
     std::optional<BundleFront> front;
     std::optional<bool> depth_clamp;
-    /// Metres by which the casters' shader moves them along the map's axis, away from the light: everywhere, and times
-    /// 1 − |n·l| with the vertex's normal and the axis.
+    /// Distances by which the casters' shader moves them along the light's axis, away from the light, metres. `shift_m`
+    /// counts at any angle; `grazing_shift_m` is multiplied by 1 − |n·l|, with the vertex's normal n and the axis l.
     std::optional<double> shift_m, grazing_shift_m;
     bool operator==(const BundleRaster&) const = default;
 };
@@ -118,17 +119,17 @@ struct BundleRaster {
 /// One shadow map of an engine: a member of `maps` of a light in frame.json.
 struct BundleMap {
     BundleImage image;
-    std::optional<BundleRegion> region;  ///< not set: the whole image
+    std::optional<BundleRegion> region;  ///< part of the image that is this map (atlas); not set: the whole image
     BundleMatrix clip;
     BundleDepth depth;
     BundleRaster raster;
-    /// Camera depths between which a point reads this map, metres along the view. Two maps are blended where their
-    /// intervals overlap.
+    /// Camera depths between which a point reads this map, metres along the viewing direction. Two maps are blended
+    /// where their intervals overlap.
     std::optional<std::array<double, 2>> interval;
-    /// Largest distances from the map's middle at which a point reads this map: start of the blend into the next map
-    /// and end, as max(|u|, |v|), so that 0.5 is the map's side. For the choice `map`.
+    /// Distances from the map's middle at which the blend into the next map begins, and at which this map ends. They
+    /// are values of max(|u|, |v|): 0.5 is the map's side. Used with ViewChoice::Map.
     std::optional<std::array<double, 2>> edge;
-    std::optional<std::vector<std::string>> drawn;  ///< node paths of the scene that were drawn into this map
+    std::optional<std::vector<std::string>> drawn;  ///< node paths drawn into this map; not set: unknown
     bool operator==(const BundleMap&) const = default;
 };
 
@@ -136,27 +137,27 @@ struct BundleMap {
 /// ignored.
 struct BundleBias {
     std::optional<double> constant, slope, normal;
-    std::array<BiasUnit, 3> units = {BiasUnit::Depth, BiasUnit::Depth, BiasUnit::Metres};  ///< in the order above
+    std::array<BiasUnit, 3> units = {BiasUnit::Depth, BiasUnit::Depth, BiasUnit::Metres};  ///< constant, slope, normal
     OffsetBy normal_by = OffsetBy::Length;  ///< dependence of `normal` on the light's angle
     bool operator==(const BundleBias&) const = default;
 };
 
-/// Comparison of own depth with the stored one, for lit.
+/// Comparison that makes a receiver lit. Less: the receiver is lit if its own depth is less than the stored depth.
 enum class BundleCompare { Less, LessEqual, Greater, GreaterEqual };
-/// Filter of the sampler that reads the map.
+/// Filter of the sampler that reads an engine's shadow map.
 enum class BundleFilter { Nearest, Linear };
-/// Wrapping of the sampler that reads the map.
+/// Wrap mode of the sampler that reads an engine's shadow map, for look-ups outside the map.
 enum class BundleWrap { Border, Clamp, Repeat };
 
 /// Shadow look-up of the engine's shader (bias, kernel, sampler): `lookup` of a light in frame.json. Members that are
 /// not set are unknown.
 struct BundleLookup {
     BundleBias bias;
-    std::optional<std::string> kernel;  ///< value of filter.kernel, such as "pcf3"
+    std::optional<std::string> kernel;  ///< value of the setting filter.kernel, such as "pcf3"
     std::optional<BundleCompare> compare;
     std::optional<BundleFilter> filter;
     std::optional<BundleWrap> wrap;
-    std::string shader;  ///< path in the bundle of the source text of the look-up; empty: unknown
+    std::string shader;  ///< path of the look-up's source text in the bundle; empty: unknown
     bool operator==(const BundleLookup&) const = default;
 };
 
@@ -164,19 +165,19 @@ struct BundleLookup {
 struct BundleLight {
     std::string name;
     LightType type = LightType::Directional;
-    std::optional<glm::dvec3> direction;  ///< in which the light shines, of any length, in the engine's world
+    std::optional<glm::dvec3> direction;  ///< direction in which the light shines, of any length, in the engine's world
     std::optional<glm::dvec3> position;   ///< in the engine's world
     std::optional<double> cone_deg;       ///< full outer angle of a spot light
-    /// Choice of the map that a point reads: One, Map, Interval or Face; not set: see choice_of().
+    /// Rule by which a point chooses the map that it reads: One, Map, Interval or Face; not set: see choice_of().
     std::optional<ViewChoice> choice;
-    bool closed = false;          ///< no surface that the light reaches lies in shadow outside the maps
+    bool closed = false;          ///< true: no surface within the light's range and cone is in shadow outside the maps
     std::vector<BundleMap> maps;  ///< in the order of the choice; faces: +x, -x, +y, -y, +z, -z
     BundleLookup lookup;
     bool operator==(const BundleLight&) const = default;
 };
 
-/// One frame of an engine, exported for inspection: the content of frame.json. Lengths in the engine's world have its
-/// own unit; BundleWorld::metres_per_unit converts them. Members with `_m` are metres.
+/// One frame of an engine, exported for inspection: the content of frame.json. Lengths in the engine's world are in the
+/// engine's unit, which BundleWorld::metres_per_unit converts. Members whose names end in `_m` are metres.
 struct Bundle {
     std::string made_by;
     std::string scene;  ///< path in the bundle of the scene's glTF file; empty: none
@@ -185,18 +186,18 @@ struct Bundle {
     std::string picture;  ///< path in the bundle of the engine's own picture, a PNG; empty: none
     std::vector<BundleLight> lights;
     std::vector<std::string> notes;
-    /// Settings of this program with which the bundle opens, as texts of --set by key. They replace what the other
-    /// members say.
+    /// Settings of this program that apply when the bundle is opened: value as --set takes it, by key. They override
+    /// what follows from the other members.
     std::map<std::string, std::string> settings;
     bool operator==(const Bundle&) const = default;
 };
 
-/// Returns which edge of a shadow map the first stored row of its image holds. An image that does not state it has the
-/// Bottom row first in .raw and .pfm files, and the Top row in others.
+/// Returns which edge of a shadow map the first stored row of its image holds. If the image does not state the edge, it
+/// is Bottom for .raw and .pfm files, and Top for others.
 FirstRow first_row_of(const BundleImage& image);
 
-/// Returns the rule by which a surface point chooses one of a light's maps. A light that does not state it has One for
-/// a single map, Face for six maps of a point light, Interval if all maps have intervals, and otherwise Map.
+/// Returns the rule by which a surface point chooses one of a light's maps. If the light does not state a rule, it is
+/// One for a single map, Face for six maps of a point light, Interval if all maps have intervals, and otherwise Map.
 ViewChoice choice_of(const BundleLight& light);
 
 }  // namespace si

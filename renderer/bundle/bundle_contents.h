@@ -7,10 +7,11 @@
 
 namespace si {
 
-/// Name of the file at the top of a bundle that names all others.
+/// Name of the file at the top of a bundle (an engine's frame as files) that describes the frame and names all other
+/// files.
 inline constexpr std::string_view kFrameJson = "frame.json";
 
-/// Contents of the files of a bundle by their paths in it.
+/// Files of a bundle (an engine's frame) in memory: content by path in the bundle.
 using BundleContents = std::map<std::string, std::string>;
 
 }  // namespace si

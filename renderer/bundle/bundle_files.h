@@ -51,7 +51,7 @@ private:
 
 /// Writes a bundle (an engine's frame as files) as a zip file if `path` ends in .zip, else as a folder. Equal contents
 /// give equal bytes. The bundle appears whole or not at all. An older bundle of this name is replaced.
-/// @throws Error naming the file, also for a folder that holds other things than a bundle
+/// @throws Error naming the file, also if an existing folder contains files that belong to no bundle
 void write_bundle_files(const BundleContents& contents, const std::filesystem::path& path);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Largest size of frame.json in bytes.
+/// Largest accepted size of frame.json, which describes a bundle (an engine's frame as files), in bytes.
 inline constexpr std::size_t kMaxFrameJsonBytes = std::size_t{4} << 20;
 
 /// Parses the text of frame.json, which describes one exported frame of an engine (a bundle).

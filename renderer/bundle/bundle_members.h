@@ -78,7 +78,8 @@ struct Dictionary {
 struct BiasUnits {
     using Type = std::array<BiasUnit, 3>;
 };
-/// Kind of value: one key of a fixed list, for a value of an enumeration.
+/// Schema of a value in frame.json (an engine's exported frame): one key of a fixed list, which stands for an
+/// enumerator.
 template <typename T>
 struct ChoiceOf {
     using Type = T;

@@ -15,25 +15,27 @@
 
 namespace si {
 
-/// Returns the step between depths that a bundle's depth format can store, in depth-buffer units. For floats it is the
-/// step of values from 0.5 to 1.
+/// Returns the step between depths that a bundle's depth format can store, in depth-buffer units. For floating-point
+/// formats, returns the step between values from 0.5 to 1.
 double depth_step(BundleDepthFormat format);
 
-/// Order of the 16 numbers of a matrix that multiplies columns.
+/// Order in which a file lists the 16 numbers of a matrix: column by column or row by row. The matrix multiplies column
+/// vectors.
 enum class MatrixOrder { Columns, Rows };
 
-/// Order of the product of the matrices called view and projection.
+/// Order in which the matrices named view and projection are multiplied to map from world to clip space.
 enum class ProductOrder { ProjectionView, ViewProjection };
 
-/// Axis of the light's file that points the other way in the scene's world.
+/// Axis of a light file (JSON with the light of an imported map image) that points the opposite way in the scene's
+/// world.
 enum class MirroredAxis { None, X, Y, Z };
 
 /// Axes, handedness and unit of a light file (the JSON file with the light of an imported map image), relative to the
 /// scene's world.
 struct LightAxes {
-    UpAxis up = UpAxis::Y;  ///< axis of the light's file, after mirroring, that becomes the scene's y; never File
+    UpAxis up = UpAxis::Y;  ///< axis of the light file, after mirroring, that becomes the scene's y; never File
     MirroredAxis mirrored = MirroredAxis::None;
-    double unit = 1;  ///< lengths of the scene's world in one length of the light's file; above 0
+    double unit = 1;  ///< unit of the light file, in units of the scene's world; above 0
     /// Returns the matrix from the world space of the light file to that of the scene.
     glm::dmat4 scene_from_light() const;
     bool operator==(const LightAxes&) const = default;
@@ -47,13 +49,13 @@ struct Convention {
     MatrixOrder matrix = MatrixOrder::Columns;
     ProductOrder product = ProductOrder::ProjectionView;
     BundleStored stored = BundleStored::Depth;
-    std::optional<double> range_m;  ///< set for BundleStored::DistanceShare, metres
+    std::optional<double> range_m;  ///< distance that is stored as 1, metres; set for BundleStored::DistanceShare
     LightAxes axes;
     bool operator==(const Convention&) const = default;
 };
 
-/// Conventions of a shadow map (depth range, order of rows, axes and others) that are stated. Those that are not set
-/// are unknown and have to be tried by fit_conventions().
+/// Conventions of a shadow map (depth range, order of rows, axes and others) that its file or the user states. Members
+/// that are not set are unknown: fit_conventions() tries their values.
 struct KnownConvention {
     std::optional<bool> zero_to_one, reversed;
     std::optional<FirstRow> first_row;
@@ -63,7 +65,7 @@ struct KnownConvention {
     std::optional<UpAxis> up;
     std::optional<MirroredAxis> mirrored;
     std::optional<double> unit;
-    /// Returns the stated axes and unit of the light file, with those of the scene's world where nothing is stated.
+    /// Returns the stated axes and unit of the light file. Parts that are not stated are those of the scene's world.
     LightAxes own_axes() const;
     /// Returns true when a combination of conventions contradicts none of the stated ones.
     bool allows(const Convention& convention) const;
@@ -74,24 +76,25 @@ struct MapRay {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
-/// Function that returns the distance from the start of each ray to the first caster, metres; NaN without one.
+/// Function that returns the distance from the start of each ray to the first caster, metres; NaN for a ray without a
+/// caster.
 using FirstCasters = std::function<std::vector<double>(std::span<const MapRay>)>;
 
 /// Result of reading a shadow map by one combination of conventions: differences between its texels and the scene.
 struct ConventionFit {
     Convention convention;
-    bool known = true;        ///< contradicts no known part
-    std::string refusal;      ///< reason why the matrix cannot be read so; empty: it can
-    std::size_t samples = 0;  ///< texels that were compared: where map or scene has a surface
-    std::size_t off = 0;      ///< texels that differ by more than the tolerance, or where one of both has no surface
-    std::size_t behind = 0;   ///< of these: the scene's surface lies behind the map's
-    std::size_t before = 0;   ///< of these: the scene's surface lies before the map's
-    std::size_t outside = 0;  ///< texels beyond near or far plane
+    bool known = true;        ///< the combination contradicts no stated convention
+    std::string refusal;      ///< reason why the matrix cannot be read by these conventions; empty: it can
+    std::size_t samples = 0;  ///< compared texels: with a surface in map or scene; all if there is no scene
+    std::size_t off = 0;      ///< compared texels beyond the tolerance, or with a surface in only one of map and scene
+    std::size_t behind = 0;   ///< texels of `off` where the scene lies behind the map's surface, or has no surface
+    std::size_t before = 0;   ///< texels of `off` where the scene lies before the map's surface, or the map has none
+    std::size_t outside = 0;  ///< texels whose depth lies beyond the near or far plane
     std::size_t empty = 0;    ///< texels without a caster
     std::size_t texels = 0;   ///< texels that were read
-    double median_m = 0;      ///< median difference along the axis, metres; infinite where most have no partner
+    double median_m = 0;      ///< median difference along the axis, metres; infinite if most have only one surface
     double median_texels = 0;
-    /// Returns the share of compared texels that do not fit; 1 where none could be compared.
+    /// Returns the share of compared texels that do not fit; 1 if no texel was compared.
     double share_off() const { return samples == 0 ? 1 : double(off) / double(samples); }
 };
 
@@ -99,29 +102,29 @@ struct ConventionFit {
 /// same effect are listed once.
 struct ConventionFits {
     std::vector<ConventionFit> fits;
-    /// Number of known readings at the start of `fits` that fit the map equally well; 0: none fits.
+    /// Number of combinations at the start of `fits` that fit the map equally well and contradict no stated convention;
+    /// 0: none fits.
     std::size_t equal = 0;
-    /// Number of further readings that fit no better and no worse than the first, in other axes or units than the
-    /// scene's: the scene is symmetric.
+    /// Number of further combinations that fit as well as the first, but with other axes or units than the scene's. A
+    /// symmetric scene has such combinations.
     std::size_t other_axes = 0;
-    bool over_scene = false;  ///< compared with surfaces, not only with the map's own range
+    bool over_scene = false;  ///< compared with surfaces of a scene; false: only with the map's own depth range
 };
 
 /// Finds the conventions by which an imported shadow map is written, where they are not stated. Reads the map by every
-/// possible combination, and compares some 4,000 texels a map with the casters of a scene. Without a scene, a
-/// combination does not fit if it puts texels outside the depth range, or the sky on the near plane. With a scene,
-/// other axes, handedness and units of the light file are tried too: first on few texels, then the plausible ones on
-/// all.
+/// possible combination, and compares some 4,000 texels per map with the casters of a scene. Without a scene, texels
+/// count as misfits outside the depth range and on the near plane. With a scene, other axes, handedness and units of
+/// the light file are tried too: first on few texels, then the plausible ones on all.
 /// @param light light whose maps all read one image; its stated conventions are those of `known`
 /// @param type_known false: BundleLight::type is not stated
 /// @param world matrix from the engine's world to metres, y up, right-handed
-/// @param casters empty: there is no scene
+/// @param casters function that traces rays through the scene; empty: there is no scene
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);
 
 /// Converts a light that is written by other conventions to those of frame.json: order and axes of its matrices,
-/// direction and position. Sets order of rows, depth range and kind of depth of its maps; their texels stay. Used to
-/// try a reading of an imported map.
+/// direction and position. Sets order of rows, depth range and stored quantity of its maps. The texels themselves do
+/// not change. Used to try one way to interpret an imported map.
 /// @param convention conventions by which the light is written
 BundleLight with_convention(const BundleLight& light, const Convention& convention);
 

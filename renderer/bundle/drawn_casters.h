@@ -12,7 +12,7 @@ namespace si {
 /// Difference between the objects of a scene and the node paths that a bundle lists as drawn into a map.
 struct DrawnCasters {
     std::set<std::string> left_out;  ///< node paths of objects that were not drawn
-    std::size_t unknown = 0;         ///< names that are no node with triangles
+    std::size_t unknown = 0;         ///< listed paths that name no object with triangles
 };
 
 /// Compares the objects of a scene with the casters that an engine has drawn into a map, to find those left out.

@@ -12,11 +12,11 @@ struct ImportedMaps;
 
 /// State of knowledge about the bias with which an engine reads its own shadow map, and its source.
 enum class EngineBias {
-    Own,      ///< the map is no engine's: this program draws it
-    File,     ///< bias.* are the engine's bias, as its bundle states it
-    Entered,  ///< bias.* are the engine's bias, as somebody has entered it (map.bundle_bias)
-    Changed,  ///< the bundle states the engine's bias, and bias.* are another one
-    Unknown,  ///< nobody knows it; it is never taken as 0
+    Own,      ///< no engine drew the map: this program draws it
+    File,     ///< the settings bias.* are the engine's bias, as its bundle states it
+    Entered,  ///< the settings bias.* are the engine's bias, as the user has entered it (map.bundle_bias)
+    Changed,  ///< the settings bias.* differ from the engine's bias, which the bundle states
+    Unknown,  ///< the engine's bias is unknown; it is never taken as 0
 };
 
 /// Returns whether the bias with which an engine reads its maps is known, and from which source.
@@ -27,12 +27,13 @@ EngineBias engine_bias(const ImportedMaps* maps, const Settings& settings);
 /// drawn, may differ.
 bool is_same_look_up_bias(const BiasSettings& a, const BiasSettings& b);
 
-/// Returns true when bias.* are the engine's, so that verdicts speak of the engine's pixel.
+/// Returns true when the settings bias.* are the engine's bias, so that verdicts on pixels hold for the engine's
+/// picture.
 constexpr bool is_known(EngineBias bias) {
     return bias == EngineBias::File || bias == EngineBias::Entered;
 }
 
-/// Returns the name of this knowledge in JSON: "own", "known", "changed" or "unknown".
+/// Returns the JSON name of a state of knowledge about an engine's bias: "own", "known", "changed" or "unknown".
 constexpr std::string_view engine_bias_key(EngineBias bias) {
     return bias == EngineBias::Own       ? "own"
            : is_known(bias)              ? "known"
@@ -40,15 +41,16 @@ constexpr std::string_view engine_bias_key(EngineBias bias) {
                                          : "unknown";
 }
 
-/// Returns the name in JSON of the source of the engine's bias: "file" or "entered"; empty: nobody states it, or the
-/// map is no engine's.
+/// Returns the JSON name of the source of an engine's bias: "file" or "entered"; empty if the bias is unknown, or if
+/// this program draws the map.
 constexpr std::string_view engine_bias_source_key(EngineBias bias) {
     return bias == EngineBias::Entered                               ? "entered"
            : bias == EngineBias::File || bias == EngineBias::Changed ? "file"
                                                                      : "";
 }
 
-/// Returns this knowledge in words, such as "as entered"; empty for this program's own map.
+/// Returns words for a state of knowledge about an engine's bias, such as "as the bundle states it"; empty if this
+/// program draws the map.
 constexpr std::string_view engine_bias_text(EngineBias bias) {
     switch (bias) {
         case EngineBias::Own:
@@ -65,10 +67,11 @@ constexpr std::string_view engine_bias_text(EngineBias bias) {
     return "";
 }
 
-/// Returns a sentence which warns that the engine's bias of a light's maps is unknown or changed, so that wrong pixels
-/// are not those of the engine. Empty when it is known, or when this program draws the maps.
+/// Returns a sentence which warns that the engine's bias of a light's maps is unknown, or differs from the settings
+/// bias.*. Wrong pixels are then not those of the engine. Empty when the bias is known, or when this program draws the
+/// maps.
 /// @param maps imported maps of the light; null: this program draws the maps
-/// @param light index of light.*
+/// @param light index of the light in the settings light.*
 std::string engine_bias_remark(const ImportedMaps* maps, const Settings& settings, int light);
 
 }  // namespace si

@@ -26,8 +26,8 @@ LightView view_of_map(const BundleWorld& world, const BundleMap& map);
 /// Depth-buffer values of one imported map, and how many of its texels are invalid.
 struct MapDepths {
     FloatImage depths;              ///< top row first
-    std::size_t not_a_number = 0;   ///< texels that are no number, read as the far plane
-    std::size_t outside_range = 0;  ///< texels beyond near or far plane, read as on it
+    std::size_t not_a_number = 0;   ///< NaN texels, read as the far plane
+    std::size_t outside_range = 0;  ///< texels beyond the near or far plane, clamped to it
 };
 
 /// Converts the image of an engine's shadow map to depth-buffer values, whichever form of depth it stores
@@ -39,34 +39,34 @@ MapDepths depths_of_map(const BundleMap& map, const LightView& view, const Float
 
 /// Returns the rule by which a surface point chooses one of a light's views: by camera depth, cube face or place in the
 /// maps.
-/// @param bundle has the camera from which camera depths are measured
+/// @param bundle bundle with the camera from which camera depths are measured
 /// @param views views of the light's maps, in the same order
-/// @throws Error
+/// @throws Error for an unusable camera matrix
 ViewChooser chooser_of(const Bundle& bundle, const BundleLight& light, const std::vector<LightView>& views);
 
-/// Content of a bundle, as read: its description, and the imported maps of each light.
+/// Content of a bundle (an engine's frame as files), as read: its description, and the imported maps of each light.
 struct GivenMaps {
     Bundle bundle;
-    std::vector<std::shared_ptr<const ImportedMaps>> lights;  ///< as Bundle::lights; null: no map
+    std::vector<std::shared_ptr<const ImportedMaps>> lights;  ///< imported maps by light; null: the light has none
     std::vector<StampedFile> files;                           ///< files that were read
-    std::vector<std::string> notes;                           ///< faults that do not hinder reading, one sentence each
+    std::vector<std::string> notes;                           ///< faults that do not prevent reading, one sentence each
 };
 
 /// Converts the normal offset of an engine's look-up to settings: pairs of a key of bias.* and a value. Empty where the
-/// offset is unknown, or is given as a depth, which is no length.
+/// offset is unknown, or where its unit is depth instead of a length.
 std::vector<std::pair<std::string_view, std::string>> normal_offset_settings(const BundleBias& bias);
 
-/// Returns true when the settings that a bundle holds include kind, unit and all amounts of bias.*, which then hold for
-/// every look-up.
+/// Returns true when the settings in a bundle include kind, unit and all amounts of bias.*. These settings are then the
+/// bias of every look-up of the bundle.
 bool settings_state_bias(const Bundle& bundle);
 
 /// Returns the bias of a light's look-up as settings bias.*, without polygon offset, if the bundle states it. Nothing
-/// if a term is missing, or if bias.* cannot hold its unit or amount.
+/// if a term is missing, or if bias.* cannot express the unit or amount of a term.
 std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light);
 
 /// Returns whether the bias with which an engine reads the maps of a light is known, and from which source.
-/// EngineBias::Own if the settings open no bundle, or draw its maps again.
-/// @param light index of light.*
+/// EngineBias::Own if the settings name no bundle, or let this program draw its maps (map.bundle_maps=drawn).
+/// @param light index of the light in the settings light.*
 /// @throws Error as read_given_maps()
 EngineBias engine_bias_of_light(const Settings& settings, int light);
 
@@ -82,7 +82,7 @@ GivenMaps read_given_maps(BundleFiles& files);
 /// @throws Error as read_given_maps()
 std::shared_ptr<const GivenMaps> given_maps(const std::filesystem::path& path);
 
-/// Returns imported maps whose views are moved along with a scene that was placed elsewhere.
+/// Returns imported maps with their views moved along with the scene, after the scene was moved, turned or scaled.
 /// @param placement rotation, translation and uniform scale of the scene
 std::shared_ptr<const ImportedMaps> placed_maps(const std::shared_ptr<const ImportedMaps>& maps,
                                                 const glm::dmat4& placement);

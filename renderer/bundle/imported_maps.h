@@ -17,33 +17,36 @@ namespace si {
 
 /// Views with which imported shadow maps were drawn. They replace the views that light.fit would give.
 struct ImportedViews {
-    std::vector<LightView> views;  ///< one an image
-    ViewChooser chooser;           ///< choice of the view in which a point is looked up
-    bool closed = false;           ///< no surface that the light reaches lies in shadow outside the maps
+    std::vector<LightView> views;  ///< one per image
+    ViewChooser chooser;           ///< rule that chooses the view in which a point is looked up
+    bool closed = false;           ///< true: no surface within the light's range and cone is in shadow outside the maps
 };
 
 /// Raster state (polygon offset and culling) in which casters are drawn into one shadow map. Replaces the settings
 /// bias.raster_* and caster.cull.
 struct CasterRaster {
-    double offset_factor = 0, offset_units = 0;  ///< as glPolygonOffset() takes them, with the signs of reversed depth
-    double offset_clamp = 0;                     ///< as glPolygonOffsetClampEXT() takes it; 0: no clamp
-    /// Faces left out, by the winding of glTF as seen from the light; nullopt: caster.cull. See culled_faces().
+    /// Values for glPolygonOffset(). With reversed depth, values below 0 move casters away from the light.
+    double offset_factor = 0, offset_units = 0;
+    double offset_clamp = 0;  ///< as glPolygonOffsetClampEXT() takes it; 0: no clamp
+    /// Culled faces, by the winding of glTF as seen from the light (culled_faces()); nullopt: the setting caster.cull
+    /// counts.
     std::optional<Cull> cull;
     bool operator==(const CasterRaster&) const = default;
 };
 
-/// Shadow maps of one light that an engine has drawn: one image for each view, and the raster state and bias where
-/// these are known. Without images, this program draws maps with the given views.
+/// Shadow maps of one light that an engine has drawn: one image for each view, and the raster state and bias if they
+/// are known. Without images, this program draws maps with the given views.
 struct ImportedMaps {
     std::vector<FloatImage> images;      ///< depths by view, top row first, as Renderer::read_shadow_map() returns them
-    std::optional<ImportedViews> views;  ///< nullopt: the light's own views
+    std::optional<ImportedViews> views;  ///< nullopt: views of the light's own fit
     std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
-    /// Node paths that were drawn into each map; nullopt: unknown. Empty: unknown for all.
+    /// Node paths that were drawn into each map, by view; nullopt: unknown. An empty vector: unknown for all maps.
     std::vector<std::optional<std::vector<std::string>>> drawn;
-    MapSize drawn_size;  ///< size of maps without images
-    /// The maps come with the bias with which the engine reads them. False: it is unknown. See engine_bias().
+    MapSize drawn_size;  ///< size of maps that this program draws, if there are no images
+    /// True: the bias with which the engine reads the maps is known. See engine_bias().
     bool bias_known = true;
-    /// Known bias, as bias.* hold it without polygon offset; nullopt: bias.* of any settings are the engine's.
+    /// Known bias of the engine, as settings bias.* without polygon offset; nullopt: any settings bias.* count as the
+    /// engine's.
     std::optional<BiasSettings> bias;
     std::uint64_t key = 0;  ///< hash of images, views and raster state
     /// Returns true when the maps are images that are given, false when they are drawn with the given views.
@@ -51,7 +54,7 @@ struct ImportedMaps {
     MapSize size() const { return has_images() ? MapSize(images.front().width, images.front().height) : drawn_size; }
 };
 
-/// Returns maps of these images and views, with their key.
+/// Makes the imported maps of one light from images and views, and computes their cache key.
 /// @throws Error without an image, for images of more than one channel or different sizes, or where their number is not
 /// that of the views
 /// @param raster by view; empty: unknown @param bias_known ImportedMaps::bias_known
@@ -59,14 +62,15 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
                                                   std::optional<ImportedViews> views = std::nullopt,
                                                   std::vector<CasterRaster> raster = {}, bool bias_known = true);
 
-/// Returns maps that are drawn from the scene's casters, with these views in place of those of a fit.
+/// Makes maps of one light without images: this program draws them from the scene's casters, with these views instead
+/// of those of a fit.
 /// @param raster by view; empty: as the settings say
 /// @throws Error without a view, for a size below 1, or where the number of raster states is not that of the views
 std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
                                                std::vector<CasterRaster> raster = {});
 
-/// Converts the face culling of an engine: returns the faces that are left out of a shadow map, by the winding of glTF
-/// as seen from the light.
+/// Converts the face culling of an engine to the winding of glTF as seen from the light. Returns the faces that are
+/// culled from a shadow map.
 /// @param culled GL_CULL_FACE_MODE of the engine, as in clip space whose y points up
 /// @param front_is_clockwise true: GL_FRONT_FACE is GL_CW
 /// @param view view of the map

@@ -11,13 +11,13 @@ namespace si {
 /// Content of a light file, the JSON file with the light of an imported map image, and which conventions it states.
 struct LightFile {
     Bundle bundle;            ///< `world` and one light, whose maps all read the image
-    bool type_known = false;  ///< false: BundleLight::type is not stated
-    KnownConvention known;    ///< the product and the order of matrices are never stated
+    bool type_known = false;  ///< false: the file does not state BundleLight::type, which is then a guess
+    KnownConvention known;    ///< stated conventions; a file never states `product` and `matrix`
 };
 
 /// Parses a light file, which describes the light of an imported map image: an object as in `lights` of frame.json,
-/// with `world` as a further member. The members of a single map may stand in the light's object. The light's matrix
-/// alone is enough: members that frame.json requires may be missing here.
+/// with `world` as a further member. The members of a single map may be in the light's object itself. The light's
+/// matrix alone is enough: members that frame.json requires may be missing here.
 /// @param file name of the file, for messages
 /// @param image_file name that the image gets in the bundle
 /// @throws Error "FILE: PLACE: what is wrong; what to do"

@@ -14,7 +14,7 @@ namespace si {
 /// Layout of a shadow map in a raw file, which does not state it. Ignored for other file formats.
 struct MapImageFormat {
     int width = 0, height = 0;  ///< texels
-    int channels = 1;           ///< numbers a texel
+    int channels = 1;           ///< numbers per texel
     std::optional<RawFormat> format;
 };
 

@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Job that decodes one image in a child process.
+/// Decoder of one OpenEXR image, which run_foreign_job() runs in a child process.
 extern const ForeignJob kExrJob;
 
 /// Decodes an OpenEXR file with a shadow map in a child process, as the file may be hostile. Reads scanlines or tiles

@@ -8,12 +8,12 @@
 
 namespace si {
 
-/// Returns the polygon offset and culling of a bundle's first map, with which the settings of the bundle begin. Offsets
-/// above 0 are away from the light. An unknown offset is 0, unknown culling is none.
+/// Returns polygon offset and culling of a bundle's first map. The settings begin with these values when a bundle is
+/// opened. Offsets above 0 are away from the light. An unknown offset is 0, unknown culling is none.
 CasterRaster first_raster(const Bundle& bundle);
 
 /// Returns maps of one light that the program draws itself, with the views of imported maps. map.resolution is the
-/// longer side. Each map keeps the raster state of the imported one, except polygon offset and culling that the user
+/// longer side. Each map keeps the raster state of the imported map, except polygon offset and culling that the user
 /// has changed in the settings.
 /// @param maps imported maps of the light, with views
 /// @param begun first_raster() of the bundle: settings that differ from it were changed by the user
