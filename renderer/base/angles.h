@@ -13,8 +13,8 @@ struct SineCosine {
     double sine = 0, cosine = 1;
 };
 
-/// Returns sine and cosine of an angle in degrees, exact at multiples of 90. Through radians an error of 6e-17 remains
-/// there: enough to classify a surface that is parallel to the light as lit.
+/// Returns sine and cosine of an angle in degrees, exact at multiples of 90. Conversion to radians would leave an error
+/// of 6e-17 there, enough to classify a surface parallel to the light as lit.
 inline SineCosine sine_cosine(double degrees) {
     int quarter = 0;
     const double rest = std::remquo(degrees, 90.0, &quarter) * kDegree;

@@ -18,7 +18,7 @@ void write_atomically(const std::filesystem::path& path, std::initializer_list<s
 /// @throws Error for dangling or circular links, names that are too long, and files without write permission
 std::filesystem::path writable_target(const std::filesystem::path& path);
 
-/// Makes a folder and those above it, unless they exist. Returns true if it was made.
+/// Makes a folder and its missing parent folders. Returns false if the folder existed before.
 /// @throws Error naming the folder and the reason
 bool make_folders(const std::filesystem::path& folder);
 

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Owner of a POSIX file descriptor, which the destructor closes. `fd` is -1 without one.
+/// Owner of a POSIX file descriptor, which the destructor closes. `fd` is -1 when there is no descriptor.
 struct Descriptor {
     int fd = -1;
     Descriptor() = default;

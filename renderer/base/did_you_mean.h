@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Formats the suggestion that ends an error about an unknown name: "; did you mean NEAREST?". Empty when `nearest` is.
+/// Formats the suggestion that ends an error about an unknown name: "; did you mean NEAREST?". Empty if `nearest` is
+/// empty.
 inline std::string did_you_mean(const std::string& nearest) {
     return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }

@@ -10,7 +10,8 @@ namespace si {
 /// near-parallel axes. Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
 glm::dmat3 orthonormal_basis(const glm::dvec3& n);
 
-/// Returns the unit normal of a triangle, by winding; 0 for a triangle without area.
+/// Returns the unit normal of a triangle, on the side from which a, b, c run counter-clockwise; 0 for a triangle
+/// without area.
 inline glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 cross = glm::cross(b - a, c - a);
     const double length = glm::length(cross);

@@ -14,11 +14,11 @@ namespace si {
 struct FileStamp {
     std::uint64_t device = 0, inode = 0;
     std::int64_t bytes = 0;
-    std::int64_t written_ns = 0;  ///< since 1970
+    std::int64_t written_ns = 0;  ///< last write, nanoseconds since 1970
     bool operator==(const FileStamp&) const = default;
 };
 
-/// Returns the stamp of a regular file, links resolved; nothing if there is none. Opens no file.
+/// Returns the FileStamp of a regular file, links resolved; nothing if there is no such file. Does not open the file.
 inline std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
@@ -28,14 +28,14 @@ inline std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
                      .written_ns = std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-/// File that was read, with its FileStamp from that time, by which later changes are found. No stamp: the file did not
-/// exist.
+/// Path of a file that was read, with the FileStamp from that time. A later change is found by comparing it with a new
+/// stamp. No stamp: the file did not exist.
 struct StampedFile {
     std::filesystem::path path;
     std::optional<FileStamp> stamp;
 };
 
-/// Returns the file with its present stamp.
+/// Returns a path together with the present stamp (FileStamp) of its file.
 inline StampedFile stamped(const std::filesystem::path& path) {
     return {path, file_stamp(path)};
 }

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Parses a text that is one finite number and nothing else; empty: it is none.
+/// Parses a text that is one finite number and nothing else. Returns nothing for any other text.
 inline std::optional<double> finite_number(std::string_view text) {
     double value = 0;
     const char* const end = text.data() + text.size();

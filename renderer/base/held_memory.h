@@ -10,14 +10,14 @@
 
 namespace si {
 
-/// Entry in the process-wide accounting of memory, which memory_report() lists. An owner of much memory keeps one as a
-/// member and states its size; the entry itself allocates nothing. A copy counts the bytes again. Usable from any
-/// thread.
+/// Entry in the process-wide accounting of memory, which memory_report() lists. An owner of much memory keeps an entry
+/// as a member and states its bytes there. The entry itself allocates nothing. A copy of an entry counts the bytes
+/// again. Usable from any thread.
 class TrackedMemory {
 public:
     TrackedMemory() = default;
-    /// Counts `bytes` in the memory report under `holder`, until this object is destroyed. @param holder a plural that
-    /// the memory report prints: "shadow maps"
+    /// Counts `bytes` in the memory report under `holder`, until this object is destroyed.
+    /// @param holder name in the memory report, a plural: "shadow maps"
     TrackedMemory(std::string_view holder, std::uint64_t bytes);
     ~TrackedMemory() { drop(); }
     TrackedMemory(const TrackedMemory& other);
@@ -26,7 +26,7 @@ public:
 
     /// Adds bytes to this entry of the memory accounting, when its owner allocates more. An empty entry (made without
     /// arguments, or dropped) ignores the call.
-    /// @param bytes negative: subtracted
+    /// @param bytes below 0: subtracts
     void add(std::int64_t bytes);
     /// Returns the bytes that this entry counts at present.
     std::uint64_t bytes() const { return bytes_; }
@@ -70,7 +70,7 @@ std::uint64_t available_memory();
 /// Gives heap pages that are free, but kept by malloc(), back to the system (malloc_trim). Call after a large scene was
 /// closed or a sweep ended: it takes some ten milliseconds. Does nothing where the C library has no such function.
 void trim_heap();
-/// Formats a number of bytes for people: "12.5 MiB".
+/// Formats a number of bytes for people: "2.5 MiB".
 std::string bytes_text(std::uint64_t bytes);
 
 /// Returns the bytes that the elements of a container take.

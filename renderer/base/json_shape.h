@@ -9,7 +9,7 @@ namespace si {
 /// Nesting depth and size of a JSON text, to refuse hostile files before they are parsed.
 struct JsonShape {
     int depth = 0;           ///< deepest nesting
-    std::size_t values = 0;  ///< upper bound of the number of values, without keys
+    std::size_t values = 0;  ///< upper bound of the number of values inside objects and lists, without keys
 };
 
 /// Measures depth and size of a JSON text by counting brackets and commas outside strings. Accepts any text: the counts

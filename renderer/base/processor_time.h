@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Thread of this process, by the kernel's number.
+/// Kernel id of a thread of this process, as gettid() returns it.
 using ThreadId = int;
 
 /// Returns the ids of all threads of this process except the calling one. Empty where the system does not list threads.

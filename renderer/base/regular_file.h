@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Owner of a block of heap memory, which is not initialised, for the content of a file.
+/// Owner of an uninitialised block of heap memory for the content of a file.
 struct Bytes {
     /// Deleter for malloc() memory.
     struct Free {

@@ -78,8 +78,8 @@ public:
     void reserve(std::size_t count) { edit().reserve(count); }
     void clear() { *this = SharedArray(); }
 
-    /// Counts the bytes of this array in the memory report from now on, once however many copies share them.
-    /// @param holder see TrackedMemory
+    /// Counts the bytes of this array in the memory report from now on. Copies that share the memory are counted once.
+    /// @param holder name in the memory report, a plural: "textures"
     void track_memory(std::string_view holder) {
         static std::mutex mutex;  // copies that share the block may be on other threads
         const std::lock_guard lock(mutex);

@@ -27,9 +27,9 @@ struct Workers {
 };
 
 /// Calls work(i) once for every i below `blocks`, on several threads and in no order; the calling thread takes part.
-/// Threads flush denormal floats to zero, as Embree requires. The first exception stops all threads and is thrown again
-/// here.
-/// @throws Cancelled
+/// Threads flush denormal floats to zero, as Embree requires. The first exception stops all threads and is rethrown to
+/// the caller.
+/// @throws Cancelled after a stop was requested
 void parallel_for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work);
 
 }  // namespace si
