@@ -15,17 +15,18 @@ namespace si {
 struct SweepAxis {
     std::string key;
     std::vector<std::string> values;
-    std::set<std::string> held = {};  ///< keys of settings to which the axis brings no starting values
+    /// Keys of settings that keep their values when the axis changes bias.kind, and so do not get its starting values.
+    std::set<std::string> held = {};
 };
 
 /// Parses an axis of a sweep from the command-line option --vary. The form is "KEY=V1,V2,..." or "KEY=from:to:step",
-/// ends included. A step "*factor" makes a geometric series. "KEY=*" lists all choices of a setting, or the choices in
-/// Param::swept.
+/// with both ends included. A step "*factor" makes a geometric series. "KEY=*" lists all choices of a setting, or the
+/// choices in Param::swept.
 /// @throws UsageError naming key, value and the allowed form
 SweepAxis parse_axis(std::string_view text);
 
-/// Protects settings that a sweep's option --set assigns. An axis over bias.kind then does not replace them by the
-/// starting values of each kind (SweepAxis::held).
+/// Protects settings that the option --set of a sweep assigns. An axis over bias.kind then does not replace their
+/// values by the starting values of each kind (SweepAxis::held).
 /// @param assigned_keys keys of the settings that --set names
 void protect_assigned_settings(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys);
 
@@ -36,7 +37,7 @@ struct SweepCase {
         starts;  ///< starting values that the case's bias.kind brings along
     Settings settings;
     std::string id;  ///< "key=value key=value": unique within a sweep
-    /// Returns the keys and values of all settings that this case of a sweep changes: `values`, then `starts`.
+    /// Returns keys and values of all settings that this case of a sweep changes: first `values`, then `starts`.
     std::vector<std::pair<std::string, std::string>> sets() const;
 };
 
@@ -51,19 +52,19 @@ struct SweepPlan {
 inline constexpr std::size_t kMaxSweepCases = 100'000;
 
 /// Computes the cases of a sweep: the cross product of the axes, applied to base settings. Cases that differ only in
-/// settings without effect are merged into the first of them. With an axis of scene.* only equal settings are merged,
-/// since a scene suggests settings of its own. A value of bias.kind that differs from the base's brings its starting
-/// values along, except to settings that an axis varies or SweepAxis::held names.
-/// @throws UsageError when a key is varied twice, directly or through a value that implies it, or when there are more
-/// than kMaxSweepCases
+/// settings without effect are merged into the first of them. With an axis over scene.*, only cases with equal settings
+/// are merged, since each scene suggests settings of its own. If bias.kind differs from that of the base, its starting
+/// values are set too, except for settings that an axis varies or SweepAxis::held names.
+/// @throws UsageError when two axes vary one setting, or a value of one axis implies a setting that another axis
+/// varies; or when there are more than kMaxSweepCases
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
 /// Returns a copy of the settings in which every setting without effect has its default value. Settings that draw the
 /// same picture become equal, so that a sweep measures them once.
 Settings without_ineffective_settings(Settings settings);
 
-/// Returns a copy of the settings without display aids (view.*: overlays, panes, map viewer), which cost time but are
-/// no part of the shadow. Keeps view.light. Every measurement of error or time uses this copy.
+/// Returns a copy of the settings without display aids (view.*: overlays, panes, map viewer), which cost time but do
+/// not change the shadow. Keeps view.light. Every measurement of error or time uses this copy.
 Settings measured_settings(Settings settings);
 
 }  // namespace si

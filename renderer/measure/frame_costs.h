@@ -21,7 +21,7 @@ inline constexpr CostCase kDefaultCost = CostCase::Camera;
 /// Row of the table of cost cases (CostCase): key, label and help of one kind of frames that are timed.
 struct CostRow {
     std::string_view key, label;
-    std::string_view when;  ///< "while the camera moves", after "ms a frame"
+    std::string_view when;  ///< text after "ms a frame", such as "while the camera moves"
     std::string_view help;
 };
 /// Returns the table of cost cases, the kinds of frames that are timed: everything drawn again, moving camera, moving
@@ -39,10 +39,9 @@ CostCase parse_cost(std::string_view key);
 /// Turn of camera or light from one timed frame to the next, degrees.
 inline constexpr double kCostStepDegrees = 0.5;
 
-/// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: the given
-/// settings alone. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light of
-/// view.light sinks and comes back, or rises first if it is below the horizon. A camera that looks through the light
-/// stays in place.
+/// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: only the
+/// given settings. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light view.light
+/// sinks and rises again; below the horizon it rises first. A camera that looks through the light stays in place.
 /// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 

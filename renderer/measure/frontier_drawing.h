@@ -14,15 +14,15 @@
 
 namespace si {
 
-/// Number of colours for families of kernels, which colour-blind people tell apart.
+/// Number of colours for kernel families in the frontier plot. Colour-blind people can tell these colours apart.
 inline constexpr int kPlotFamilies = 8;
 
 /// Measured case of a sweep in the frontier plot (error over cost): names, family of kernels, cost and error.
 struct PlotCase {
-    std::size_t of = 0;  ///< index of the case among the caller's
+    std::size_t of = 0;  ///< index of the case in the caller's list
     std::string line;    ///< line that the case belongs to: "PCF 3×3"
     std::string place;   ///< place on the line: "2048²"; empty: the line has one case
-    double along = 0;    ///< order on the line
+    double along = 0;    ///< sort key of the case on its line
     int family = 0;      ///< colour and shape, below kPlotFamilies
     Dot dot;             ///< cost and error; the cost is an upper bound if `bound`
     bool bound = false;  ///< the cost does not differ from 0 by more than its noise
@@ -30,9 +30,9 @@ struct PlotCase {
     std::string name() const { return place.empty() ? line : line + ", " + place; }
 };
 
-/// Settings that the frontier plot marks although they are no case of the sweep, such as the present ones.
+/// Settings that the frontier plot marks although they are no case of the sweep, such as the present settings.
 struct PlotSpot {
-    /// Kind of a spot: the present settings, the pinned or earlier ones, an engine's profile.
+    /// Kind of settings that a spot marks: the present settings, pinned or earlier settings, an engine's profile.
     enum class Kind { Present, Pinned, Engine };
     Kind kind = Kind::Present;
     std::string label;
@@ -43,13 +43,13 @@ struct PlotSpot {
 struct FrontierPlot {
     std::vector<PlotCase> cases;
     std::vector<PlotSpot> spots;
-    std::vector<Dot> forced;  ///< front of frames with all optimisations off, a faint line; empty: none
+    std::vector<Dot> forced;  ///< cases with all optimisations off; their front is a faint line; empty: none
     std::string cost_title, error_title;
     std::string cost_unit;            ///< "ms of processor"; empty: none
     bool bytes = false;               ///< costs are bytes
-    std::optional<double> base_cost;  ///< cost of the base of multiples; nullopt: unknown or within noise
-    std::string base_name;            ///< "Hard (nearest), 1024²"
-    bool whole = false;               ///< the axes hold all cases; else they end some way beyond the front
+    std::optional<double> base_cost;  ///< cost of the base case, unit of multiples; nullopt: unknown or within noise
+    std::string base_name;            ///< name of the base case: "Hard (nearest), 1024²"
+    bool whole = false;               ///< true: the axes span all cases; false: they end some way beyond the front
 };
 
 /// Role of a mark in a frontier plot; the mark's colour follows from the role.
@@ -86,25 +86,25 @@ struct PlotMark {
     bool halo = false;  ///< for texts: an edge in the colour of the paper
 };
 
-/// Height of small text, share of the em.
+/// Height of small text in a frontier plot, as a share of PlotPage::em.
 inline constexpr double kSmallText = 0.85;
 
 /// Page of a frontier plot: size and text metrics in pixels, and the parts to draw.
 struct PlotPage {
     double width = 640, height = 360;  ///< width of the page; height of the box with the axes
     double em = 13;                    ///< height of text; small text is smaller
-    bool sentence = true;              ///< writes what the knee is above the plot
-    bool table = true;                 ///< writes the best cases for multiples of the base's cost below the plot
+    bool sentence = true;              ///< writes knee_sentence() above the plot
+    bool table = true;                 ///< writes the table of best_rows() below the plot
     bool titles = true;                ///< writes the titles of the axes
     std::function<double(std::string_view, double size, bool strong)> text_width = {};  ///< none: estimated
 };
 
-/// Pixel position of a case, or of other marked settings, in a drawn frontier plot. Its whisker shows the noise of the
-/// cost.
+/// Pixel position of a case, or of other marked settings, in a drawn frontier plot, with the whisker that shows the
+/// noise of the cost.
 struct PlotPlace {
-    std::size_t of = 0;  ///< PlotCase::of, or the index of the spot
+    std::size_t of = 0;  ///< PlotCase::of, or index into FrontierPlot::spots
     glm::dvec2 at{0};
-    double left = 0, right = 0;  ///< cost minus and plus its noise
+    double left = 0, right = 0;  ///< x of the whisker's ends: cost minus and plus its noise
 };
 
 /// Drawing of a frontier plot: lines, areas and texts from back to front, and the positions of cases for the mouse.
@@ -115,11 +115,11 @@ struct FrontierDrawing {
 };
 
 /// Draws a frontier plot: one line for each kernel, and the Pareto front as bold stairs with a label for each step.
-/// Lines without a case on the front are thin and grey. Settings outside the sweep are diamonds. Neighbours on the
-/// front whose noise overlaps have whiskers that show it.
+/// Lines without a case on the front are thin and grey. Settings outside the sweep are diamonds. Where the noise of
+/// neighbours on the front overlaps, whiskers show the noise.
 FrontierDrawing frontier_drawing(const FrontierPlot& plot, const PlotPage& page);
 
-/// Returns a sentence on the knee of the Pareto front, the case after which more cost buys little: no case of at most
+/// Returns a sentence on the knee of the Pareto front, the case after which more cost gains little: no case of at most
 /// twice its cost has an error a quarter smaller. Example: "PCF 3×3, 2048²: 0.021 for 6 ms; nothing within 2 × is a
 /// quarter better."
 std::string knee_sentence(const FrontierPlot& plot);
@@ -131,7 +131,7 @@ std::string plot_cost_text(const FrontierPlot& plot, double cost, bool bound);
 /// of the base case (hard kernel, 1024 texels).
 struct BestRow {
     double multiple = 1;
-    std::optional<std::size_t> best;  ///< index in FrontierPlot::cases; nullopt: none costs so little
+    std::optional<std::size_t> best;  ///< index into FrontierPlot::cases; nullopt: every case costs more
 };
 /// Lists the cases with the least error within four cost limits, for the table below a frontier plot. The limits are 1,
 /// 2, 4 and 8 times the cost of the base case (hard kernel, 1024 texels). Empty when the base's cost is unknown.

@@ -19,7 +19,7 @@ namespace si {
 /// Point of a light's path: the settings of lights that change along the path, with their values.
 struct PathPoint {
     std::vector<std::pair<std::string, std::string>> values;  ///< setting key and value
-    std::optional<double> hour = {};                          ///< solar time of a day's path
+    std::optional<double> hour = {};  ///< solar time, hours since midnight; none: not a path of the sun
     bool operator==(const PathPoint&) const = default;
 };
 
@@ -29,37 +29,41 @@ struct LightPath {
     std::vector<PathPoint> points;
 };
 
-/// Number of steps of a path, unless it is given, and the largest one.
+/// Default number of points on a light's path.
 inline constexpr int kPathSteps = 12;
+/// Largest number of points on a light's path.
 inline constexpr int kMaxPathSteps = 1000;
 
-/// Makes a path on which settings of lights, such as azimuth and elevation, change together from first to last value,
-/// ends included.
+/// Makes a path on which settings of lights, such as azimuth and elevation, change together from their first to their
+/// last values, both included.
 /// @param text "KEY=from:to,KEY=from:to" (the option --along) @param steps number of points, at least 2
-/// @throws UsageError for another form, a key that is no number of a light, one without effect, a value out of range
+/// @throws UsageError for text in another form, a key that is not a numeric setting of a light, a key without effect,
+/// or a value out of range
 LightPath straight_path(std::string_view text, int steps, const Settings& settings);
 
-/// Makes the path of the sun over a day for the directional light of view.light, from sunrise to sunset.
+/// Makes the path of the sun over a day for the directional light view.light, from sunrise to sunset.
 /// @param text "LATITUDE,DAY" (the option --day): degrees, north positive; day of the year from 1
 /// @param steps number of points
-/// @throws UsageError for another form, a polar night, a light that is not directional
+/// @throws UsageError for text in another form, a polar night, or a light that is not directional
 LightPath day_path(std::string_view text, int steps, const Settings& settings);
 
 /// Returns a copy of the settings with the light at a point of its path.
 Settings settings_at(Settings settings, const PathPoint& point);
 
-/// Change of visibility from one point of a light's path to the next, over pixels that the error metrics count at both.
+/// Change of visibility from one point of a light's path to the next, over pixels that the error metrics count at both
+/// points. V is the visibility in the picture, R that in the reference.
 struct PathChange {
-    std::size_t pixels = 0;  ///< counted at both points
-    double drawn = 0;        ///< mean of |V changed by|
-    double reference = 0;    ///< mean of |R changed by|
-    double beyond = 0;       ///< mean of what |V changed by| exceeds |R changed by|: shimmer
-    std::size_t flips = 0;   ///< pixels whose V crosses one half while R stays on its side
+    std::size_t pixels = 0;  ///< number of pixels counted at both points
+    double drawn = 0;        ///< mean of |change of V|
+    double reference = 0;    ///< mean of |change of R|
+    double beyond = 0;       ///< mean of max(|change of V| - |change of R|, 0): shimmer
+    std::size_t flips = 0;   ///< number of pixels whose V crosses one half while R stays on its side
 };
 
 /// Compares the change of visibility between two points of a light's path with the change in the reference (ray-traced
-/// shadows). Change beyond the reference's is shimmer. @param before, now pixels at the two points, same camera and
-/// size
+/// shadows). Change beyond that of the reference is shimmer.
+/// @param before, now pixels at the two points, same camera and size
+/// @throws Error when sizes differ
 PathChange path_change(const std::vector<ClassifiedPixel>& before, const Reference& reference_before,
                        const std::vector<ClassifiedPixel>& now, const Reference& reference_now);
 
@@ -69,27 +73,28 @@ struct PathStep {
     ErrorMetrics error;
     WorkCost cost;
     std::optional<TimeMeasurement> time;
-    std::optional<PathChange> change;  ///< from the point before; none at the first
+    std::optional<PathChange> change;  ///< change from the point before; none at the first point
 };
 
 /// Options for measuring shadows along a light's path.
 struct LightPathOptions {
-    bool time = true;              ///< time frames
+    bool time = true;              ///< true: frames are timed
     CostCase cost = kDefaultCost;  ///< kind of frames to time
 };
 
 /// Measurements of shadows along a light's path, one step for each point.
 struct LightPathResult {
     LightPath path;
-    std::vector<PathStep> steps;  ///< the first points of the path while it is measured
+    std::vector<PathStep> steps;  ///< one per measured point; fewer than the path's points until all are measured
     std::string clock;            ///< clock of the times; empty: not timed
     CostCase cost = kDefaultCost;
     /// Returns the index of the path's step with the largest error by a metric; 0 without steps.
     std::size_t worst(const Metric& metric) const;
 };
 
-/// Measures every point of a path in order. @param report receives the share done, 0..1, and the point under way
-/// @param show receives the results so far @throws Cancelled, Error
+/// Measures shadow error, cost and, on request, frame time at every point of a light's path in order.
+/// @param report receives the share done, 0..1, and the values of the next point
+/// @param show receives the results so far, after each point @throws Cancelled, Error
 LightPathResult measure_light_path(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
                                    int height, const LightPath& path, const LightPathOptions& options,
                                    const Workers& workers,

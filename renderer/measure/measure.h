@@ -13,7 +13,7 @@ struct Classification {
     std::shared_ptr<const Reference> reference;
     WorkCost cost;
     int map_resolution = 0;                   ///< texels per side, as drawn
-    std::optional<PageFacts> pages;           ///< pages of virtual maps, all drawn again
+    std::optional<PageFacts> pages;           ///< pages of virtual maps, all drawn again; none: maps are whole
     std::vector<FittedLight> lights;          ///< lights of the frame
     ByteImage picture;                        ///< the frame
     ByteImage artefacts;                      ///< the frame in grey with wrong pixels in colour
@@ -21,12 +21,12 @@ struct Classification {
     std::vector<std::string> notes;           ///< warnings of the renderer, such as repaired settings
 };
 
-/// Sequence of frames under the same settings, drawn to be timed. By CostCase every pass is drawn again, or the camera
-/// or a light moves.
+/// Sequence of frames under the same settings, drawn to be timed. CostCase says whether every pass is drawn again, the
+/// camera moves or a light moves.
 class TimedFrames {
 public:
-    /// Prepares the frames and traces the rays that light sources need.
-    /// @param scene must outlive the object @param measured the settings from measured_settings()
+    /// Prepares the frames, and traces rays for lights whose source (light.source) is ray tracing or a light map.
+    /// @param scene scene to draw; must outlive the object @param measured the settings from measured_settings()
     /// @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
                 ReferenceCache& references, const Workers& workers);
@@ -61,8 +61,8 @@ public:
     /// Sets the threads for tracing, with their stop token and progress report.
     void set_workers(Workers workers) { workers_ = std::move(workers); }
 
-    /// Draws a frame, traces its reference by rays unless that is cached, and classifies the shadow error of each
-    /// pixel. Used to measure the error of settings. @throws Error, Cancelled
+    /// Draws a frame, traces its reference by rays unless it is cached, and classifies the shadow error of each pixel.
+    /// Used to measure the error of settings. @throws Error, Cancelled
     Classification classify(const Scene& scene, const Settings& settings);
     /// Draws and times a fixed number of frames, after some frames that only warm up caches. Returns the time of each
     /// frame.

@@ -27,10 +27,12 @@ struct SavedTime {
 /// Times that the optimisations of one frame save, each measured by itself, and the time of the whole frame.
 struct SavedTimes {
     std::vector<SavedTime> optimisations;
-    TimeMeasurement frame;                 ///< frames with all optimisations, every pass drawn again
-    int rounds = 0;                        ///< pairs of frames per optimisation
-    std::optional<Spread> shadow_ms = {};  ///< part of the frame that its shadows cost: minus the same without shadows
-    std::optional<Spread> forced_more_ms = {};  ///< what the frame costs more with all optimisations off
+    TimeMeasurement frame;  ///< frames with all optimisations, every pass drawn again
+    int rounds = 0;         ///< pairs of frames per optimisation
+    /// Time of the shadows alone: the frame minus the same frame without shadows, milliseconds.
+    std::optional<Spread> shadow_ms = {};
+    /// Time that the frame takes longer with all optimisations off, milliseconds.
+    std::optional<Spread> forced_more_ms = {};
 
     /// Returns the measured time that an optimisation saves, in milliseconds; null when it was not measured.
     const Spread* saved_ms(Optimisation optimisation) const;
@@ -65,23 +67,23 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
                                const Workers& workers = {}, const std::function<void(double)>& report = {},
                                const std::function<void(const SavedTimes&)>& show = {});
 
-/// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. The animation plays
-/// for Optimisation::StaticCasterCache; for others the camera turns.
+/// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. For
+/// Optimisation::StaticCasterCache the animation plays; for other optimisations the camera turns.
 class CachedFrames {
 public:
     /// Prepares the frames. @param optimisation the optimisation to time; StaticCasterCache needs an animated scene
     CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
     /// Draws the next frame, and advances the motion at every second call. Call alternately with and without the timed
     /// optimisation in `forced`, so that each step of the motion is drawn both ways.
-    /// @param forced the optimisations to switch off, so that all their work is drawn; empty and other sets have
-    /// renderers, and so caches, of their own
+    /// @param forced the optimisations to switch off, so that all their work is drawn. One renderer draws the frames
+    /// with an empty set, another all others, so that neither finds the other's caches
     FrameResult draw(OptimisationSet forced);
 
 private:
     Scene scene_;
     glm::dmat4 placement_;
     FrameRequest request_;
-    std::vector<Settings> steps_;  ///< settings of the motion, repeated; one entry when time advances
+    std::vector<Settings> steps_;  ///< settings of the camera's motion, repeated; one entry when the animation plays
     bool advances_time_;
     Renderer optimised_, unoptimised_;
     int drawn_ = 0;

@@ -13,9 +13,9 @@ namespace si {
 struct PipelineError {
     MapOrigin origin;
     MapTransform transform;
-    std::size_t pixels = 0;        ///< pixels with a look-up
-    PrecisionSpread texels, ulps;  ///< members of Precision
-    std::size_t flips = 0;         ///< pixels lit here and in shadow by the first pipeline, or the reverse
+    std::size_t pixels = 0;        ///< number of pixels with a look-up
+    PrecisionSpread texels, ulps;  ///< rounding error in texels, and in ULPs of the depth (Precision)
+    std::size_t flips = 0;         ///< number of pixels lit here but in shadow by the first pipeline, or the reverse
 };
 
 /// Measures the rounding errors of shadow-map look-ups in one picture by all four pipelines, the combinations of

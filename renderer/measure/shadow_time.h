@@ -34,8 +34,8 @@ Settings without_shadows(Settings settings);
 /// Times of the shadows alone, in milliseconds: frames with shadows minus the same frames without, one value per pair.
 struct ShadowSamples {
     std::vector<double> moving_ms;       ///< the light of view.light moves: maps, preparation and look-ups
-    std::vector<double> still_ms;        ///< the camera moves and maps are kept; as many as `moving_ms`
-    std::vector<double> forced_more_ms;  ///< what the frame costs more with all optimisations off; any number
+    std::vector<double> still_ms;        ///< the camera moves and maps are cached; as many as `moving_ms`
+    std::vector<double> forced_more_ms;  ///< time that the frame takes longer with all optimisations off
     std::vector<std::size_t> bursts;     ///< index of the first pair of each burst
     /// Appends the shadow times of other pairs of frames. Their bursts (runs of frames without a pause) stay separate.
     void add(const ShadowSamples& more);
@@ -43,60 +43,61 @@ struct ShadowSamples {
 
 /// Time of the shadows alone under one set of settings: statistics over pairs of frames, milliseconds.
 struct ShadowTime {
-    Spread moving_ms;                                           ///< in a frame in which the light moves
-    Spread still_ms;                                            ///< in a frame in which only the camera moves
-    std::optional<Spread> forced_ms = {};                       ///< as moving_ms, with all optimisations off
-    double of_base = std::numeric_limits<double>::quiet_NaN();  ///< moving_ms over the base's; NaN: within the noise
+    Spread moving_ms;                                           ///< shadow time while the light moves
+    Spread still_ms;                                            ///< shadow time while only the camera moves
+    std::optional<Spread> forced_ms = {};                       ///< as moving_ms, optimisations off; none: not timed
+    double of_base = std::numeric_limits<double>::quiet_NaN();  ///< moving_ms / that of the base; NaN: within noise
 };
 
-/// Computes the distribution of differences of either sign. @param bursts index of the first value of each burst;
-/// empty: one burst
+/// Computes the statistics of time differences, which may be negative.
+/// @param bursts index of the first value of each burst (run of frames without a pause); empty: one burst
 Spread spread_of_differences(std::vector<double> values, std::span<const std::size_t> bursts = {});
 /// Returns true when a measured time does not differ from 0 by more than its noise.
 bool below_noise(const Spread& time);
 /// Returns the value at which a plot shows a measured time. It is the median, or the upper end of the confidence
 /// interval when the time is below its noise.
 double time_or_bound(const Spread& time);
-/// Returns the ratio of the medians of two measured times; NaN when one of them is below its noise.
+/// Returns the median of `time` divided by the median of `base`; NaN when one of the times is below its noise.
 double time_ratio(const Spread& time, const Spread& base);
 
 /// Computes the statistics of measured shadow times. Leaves ShadowTime::of_base unknown.
 ShadowTime summarise_shadow(const ShadowSamples& samples);
-/// Returns true once the shadow's time under a moving light is measured precisely enough. After at least kMinBursts
+/// Returns true once the shadow time under a moving light is measured precisely enough. After at least kMinBursts
 /// bursts of frames, half the confidence interval must be within 5 % of the shadow time or 2 % of the frame time.
 /// @param frame_ms median time of the frame with shadows
 bool shadow_settled(const ShadowSamples& samples, double frame_ms);
 
 /// Draws frames of several kinds alternately, for fair timing, and returns the milliseconds by kind and round. Every
-/// other round has the reversed order, since its first frame finds the caches of the round before.
+/// other round has the reversed order, since the first frame of a round finds the caches of the round before.
 /// @param rounds number of frames of each kind @param kinds number of kinds
-/// @param draw_ms a function that draws the next frame of a kind, below `kinds`, and returns its milliseconds
+/// @param draw_ms a function that draws the next frame of a kind, 0 to kinds - 1, and returns its milliseconds
 std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::function<double(int kind)>& draw_ms);
-/// Returns the differences a[i] - b[i] of two lists of frame times, one for each round in which both were measured.
+/// Returns the differences a[i] - b[i] of two lists of frame times, one for each round that both lists have.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Measures `pairs` pairs of frames with and without shadows with a moving light, as many with a moving camera, and one
-/// pair with all optimisations on and off.
+/// Times frames with and without shadows: `pairs` pairs with a moving light, then `pairs` pairs with a moving camera.
+/// One further pair compares all optimisations on with all off.
 /// @param frames receives the frames with shadows of the kind `cost`; null: not wanted @throws Error, Cancelled
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop = {});
 
-/// Times of one set of settings among several that are measured alternately.
+/// Times under one of several settings that are measured alternately.
 struct TurnTimes {
     ShadowSamples shadow;
     TimeSamples frames;  ///< frames with shadows
 };
 
-/// Measures the shadow times of several sets of settings alternately, one burst of frames at a time. Ends when all have
-/// settled or after 8 turns. Every other turn has the reversed order.
-/// @param count number of sets
-/// @param burst a function that measures a burst for the set of an index and adds it to the set's times
+/// Measures the shadow times of several settings alternately, one burst of frames at a time. Ends when all times have
+/// settled (shadow_settled()) or after 8 turns. Every other turn has the reversed order.
+/// @param count number of settings
+/// @param burst a function that measures one burst under the settings with an index, and appends its times
 std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst);
 
-/// Number of pairs in a burst of time_in_turns().
+/// Number of pairs of frames in one burst of measure_shadow_time().
 inline constexpr int kBurstPairs = 3;
 
-/// Measures the shadow time of one set of settings in bursts, until it has settled or after 8 of them.
+/// Measures the shadow time of one set of settings in bursts, until it has settled (shadow_settled()) or after 8
+/// bursts.
 /// @throws Error, Cancelled
 ShadowTime measure_shadow_time(Measurer& measurer, const Scene& scene, const Settings& settings,
                                const std::stop_token& stop = {});

@@ -27,7 +27,7 @@ std::span<const ShimmerMotionRow> shimmer_motions();
 struct ShimmerOptions {
     ShimmerMotion motion = ShimmerMotion::CameraMoves;
     int steps = 32;            ///< number of steps
-    double step_texels = 0.3;  ///< length of a step at the scene's centre, texels of the first map of view.light
+    double step_texels = 0.3;  ///< length of a step at the scene's centre, in texels of the first map of view.light
 };
 
 /// Measured shimmering of shadow edges under one set of settings. A pixel flips when its visibility crosses one half
@@ -42,9 +42,9 @@ struct Shimmer {
     FloatImage flips_of;              ///< flips per pixel, one channel
 };
 
-/// Measures the shimmering of shadow edges: draws the same picture in small steps of camera or light and counts pixels
+/// Measures the shimmering of shadow edges: draws the same picture in small steps of camera or light, and counts pixels
 /// that flip between lit and shadow.
-/// @param width, height of the picture in pixels @param report receives the share done, 0..1
+/// @param width, height size of the picture in pixels @param report receives the share done, 0..1
 /// @throws Error when view.light has no map; Cancelled
 Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
                         const ShimmerOptions& options, const Workers& workers = {},
@@ -55,8 +55,8 @@ struct ShimmerVariant {
     std::string_view key, label;
     Settings settings;
 };
-/// Returns the settings to compare for shimmering shadow edges. These are the given settings and, for a directional
-/// light, a stabilised map that snaps to whole texels and one that does not.
+/// Returns the settings to compare for shimmering shadow edges: the given settings and, for a directional light, two
+/// stabilised maps. One of them snaps to whole texels.
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings);
 
 }  // namespace si

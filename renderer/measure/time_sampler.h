@@ -15,8 +15,8 @@
 
 namespace si {
 
-/// Returns the time of a frame's drawn passes, milliseconds, without uploads of imported maps. @param of passes to
-/// count; nullopt: all @param time which of a pass's times
+/// Returns the summed time of a frame's drawn passes, milliseconds, without uploads of imported maps.
+/// @param of category of the passes to count; nullopt: all @param time member of PassInfo to sum
 double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {},
                 double PassInfo::*time = &PassInfo::gpu_ms);
 
@@ -60,13 +60,14 @@ struct TimeMeasurement {
     CostCase cost = CostCase::Forced;  ///< kind of frames that were timed
 };
 
-/// Returns the unit of times from a clock: "ms of processor" for processor time, else "ms". @param clock name of the
-/// clock
+/// Returns the unit of times from a clock: "ms of processor" for processor time, else "ms".
+/// @param clock name of the clock
 std::string_view time_unit(const std::string& clock);
 
-/// Limit of Spread::relative() of the total below which a time has settled.
+/// Limit of Spread::relative() of the total frame time, below which a timing has settled.
 inline constexpr double kSettledSpread = 0.03;
-/// Smallest number of bursts for a settled time. Fewer bursts do not show how bursts differ.
+/// Smallest number of bursts (runs of frames without a pause) for a settled time. Fewer bursts do not show how bursts
+/// differ.
 inline constexpr int kMinBursts = 3;
 
 /// Computes the statistics of sampled pass times.
@@ -119,7 +120,7 @@ private:
 /// Clock for timing frames in bursts: the present time, and a function that waits. Tests replace both.
 struct BurstClock {
     std::function<double()> now_s;       ///< present time, seconds
-    std::function<void(double)> wait_s;  ///< waits so many seconds
+    std::function<void(double)> wait_s;  ///< waits for a number of seconds
     /// Makes a clock that reads the machine's monotonic clock and waits by sleeping.
     static BurstClock steady();
 };
@@ -133,7 +134,7 @@ TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::funct
 
 /// Work of a frame in numbers that do not depend on the machine: texels, bytes, draw calls, triangles.
 struct WorkCost {
-    double taps_per_pixel = 0;     ///< texels that the kernel fetches per light and lit pixel
+    double taps_per_pixel = 0;     ///< texels that the kernel fetches per light and lit pixel; 0: no light has a map
     std::uint64_t map_texels = 0;  ///< texels of all shadow maps
     std::uint64_t map_bytes = 0;   ///< bytes of shadow maps, copies for map.blur_texels, and light maps
     /// Bytes of maps plus bytes of look-ups, as if each pixel were lit by each casting light.

@@ -14,7 +14,7 @@ inline constexpr std::string_view kMapBoundsWaitReason =
     "the maps are drawn again: finding bounds would take longer than it saves";
 
 /// Returns the reason why shadow map look-ups of the frame do not test the maps' depth bounds before they fetch taps
-/// (Optimisation::EarlyOut); empty when they do. Call after the passes that draw the maps are planned.
+/// (Optimisation::EarlyOut); empty when look-ups test the bounds. Call after the passes that draw the maps are planned.
 std::string map_bounds_skip_reason(const FrameState& f);
 
 /// Returns the shader defines that switch the optimisations of shadow map look-ups on or off in a frame.
@@ -25,13 +25,13 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 /// @param tests_bounds true: look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool tests_bounds);
 
-/// Returns how many map cells (kBoundsCell texels wide) beyond a block of texels a kernel centred in the block may
-/// read, under one light. The depth bounds of the block include that many cells at each side.
+/// Returns the number of map cells (kBoundsCell texels wide) that a kernel centred in a block of texels may read beyond
+/// the block, under one light. The depth bounds of the block include this many cells at each side.
 int kernel_reach_cells(const FrameState& f, const FittedLight& light);
 
-/// Texels a side of a block, for which one pair of depth bounds is stored.
+/// Width in texels of a block of a shadow map, for which one pair of depth bounds is stored (Optimisation::EarlyOut).
 inline constexpr int kBoundsBlock = 16;
-/// Texels a side of a cell, from which the bounds of blocks are composed.
+/// Width in texels of a cell of a shadow map. Depth bounds of blocks are composed of those of cells.
 inline constexpr int kBoundsCell = 4;
 
 }  // namespace si

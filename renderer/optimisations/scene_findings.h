@@ -37,7 +37,7 @@ struct CameraMapReads {
 /// has one (Resources::found).
 struct SceneFindings {
     PerMeshCache<MeshBoxes> boxes;
-    CameraMapReads seen;          ///< map cells read
+    CameraMapReads seen;          ///< objects that the camera sees, and map cells that the picture reads
     VisibleObjects seen_objects;  ///< draw order of the picture
 };
 

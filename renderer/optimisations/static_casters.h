@@ -15,7 +15,7 @@ namespace si {
 /// in a map. If none of them moves, the group can be drawn once and cached.
 struct StaticCandidate {
     std::uint64_t content = 0;    ///< CasterContent key
-    std::uint64_t triangles = 0;  ///< triangles of all casters with the content
+    std::uint64_t triangles = 0;  ///< number of triangles of all casters with this content
     bool operator==(const StaticCandidate&) const = default;
 };
 
@@ -25,12 +25,12 @@ struct StaticCandidate {
 std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
                                               std::span<const std::uint64_t> triangles);
 
-/// Largest ratio of all triangles to static triangles for which the cache is used. With 12 times as many moving
-/// triangles over the whole map the cache took 0.71 to 0.85 of the time on llvmpipe, and 0.59 on zink (`bench
-/// --benchmark_filter=moving_box`).
+/// Largest ratio of all triangles to static triangles at which the static casters of a light are cached. With 12 times
+/// as many moving triangles over the whole map, the cache reduced the time to 0.71 to 0.85 on llvmpipe. On zink it was
+/// 0.59 (`bench --benchmark_filter=moving_box`).
 inline constexpr std::uint64_t kMaxTrianglesPerStatic = 16;
 
-/// State of one map view (cascade or cube face) of a light whose static casters are cached.
+/// State of one map view (cascade or cube face) of a light whose static casters are drawn once into a cached map.
 struct StaticView {
     bool cached = false;    ///< static casters of the view are in the cached map
     MapCells cached_cells;  ///< cells drawn in the cached map
