@@ -19,7 +19,7 @@ struct RecordedTap {
 struct TestedPixel {
     int light = 0;  ///< index of light.*
     SurfacePoint point;
-    bool receives = true;           ///< object.PATH.receive
+    bool receives = true;           ///< the surface receives shadows (object.PATH.receive)
     double visibility = 1;          ///< result of the filter, 0 in shadow to 1 lit
     std::vector<RecordedTap> taps;  ///< texels that the kernel fetched
     KernelFacts kernel;
@@ -27,7 +27,7 @@ struct TestedPixel {
 
 /// Repeats the GPU's shadow test of one pixel and one light on the CPU, to explain the pixel. Returns map coordinates,
 /// bias terms, every tap of the kernel and a verdict in words.
-/// @param pixel result of the GPU
+/// @param pixel what the GPU recorded at the pixel
 /// @param settings sanitised and within the driver's limits
 /// @param size texels of the map
 /// @param map stored depths of the light's view that the point falls into, top row first; empty: the light has no map

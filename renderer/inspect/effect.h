@@ -28,8 +28,8 @@ struct Effect {
     EffectState state = EffectState::NotNeeded;
     std::string reason;                        ///< one or more sentences, each with its full stop
     std::optional<Optimisation> optimisation;  ///< optimisation that skips the effect or a part of it
-    std::string pass;                          ///< PassInfo::name of the pass that draws it; empty: none
-    bool part = false;                         ///< one of several effects in the pass, so the pass's time is shared
+    std::string pass;                          ///< PassInfo::name of the pass that does the work; empty: none
+    bool part = false;                         ///< true: one of several parts of the pass, whose time it shares
     bool operator==(const Effect&) const = default;
 };
 

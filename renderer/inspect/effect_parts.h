@@ -17,7 +17,7 @@ struct EffectFacts {
     Settings settings;  ///< sanitised
     const FrameResult& frame;
     OptimisationSet forced;               ///< optimisations that are switched off
-    int casters = 0, masked_casters = 0;  ///< numbers of objects
+    int casters = 0, masked_casters = 0;  ///< number of casters, and of those with an alpha mask or blending
 
     /// Returns the row of the selected shadow filter.
     const Filter& filter() const { return filter_of(settings); }
@@ -43,7 +43,7 @@ void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 /// @param f input of the report @param out receives the effects
 void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 /// Appends the effects (pieces of rendering work) of the pass that filters moment maps: blur, mip levels, and several
-/// samples a texel. Used to report the work of a frame.
+/// samples per texel. Used to report the work of a frame.
 /// @param f input of the report @param out receives the effects
 void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 /// Appends the effects (pieces of rendering work) of the pass that draws the visibility texture: shadow look-ups of

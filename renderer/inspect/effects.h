@@ -17,13 +17,13 @@ namespace si {
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
                                   OptimisationSet forced = {});
 
-/// Makes the effect "posing" for the report on a frame's work: the CPU animates nodes, skins and morph targets of the
-/// scene before the frame.
+/// Makes the effect "posing" for the report on a frame's work: before the frame, the CPU animates nodes, skins and
+/// morph targets of the scene.
 /// @param again true: the scene was posed since the frame before, so the effect counts as drawn instead of cached
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again);
 
-/// Counts the effects that the same optimisation skips as it skips `effect`, including `effect`; 1 for an effect
-/// without optimisation. The measured time of an optimisation belongs to all of these effects together.
+/// Counts the effects that are skipped by the same optimisation as `effect`, including `effect` itself. Returns 1 for
+/// an effect without optimisation. The measured time of an optimisation belongs to all of these effects together.
 /// @param effects all effects (pieces of rendering work) of a frame
 std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect);
 

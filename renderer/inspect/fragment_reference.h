@@ -17,20 +17,23 @@ struct FragmentReference {
     bool lit = true;   ///< result for a light without size
     double share = 1;  ///< visible share of a light with its size (light.size)
     double noise = 0;  ///< standard error of `share`; NaN: unknown
-    /// Distance in metres along the light's ray to the surface nearest the light, which the map stores: with the
-    /// culling of casters, beyond the near plane. NaN without an occluder.
+    /// Distance from the pixel's surface to the occluder nearest the light, metres along the light's ray. Counts only
+    /// occluders in the shadow map: not culled, and beyond the near plane. NaN: none.
     double gap_m = std::numeric_limits<double>::quiet_NaN();
-    double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< likewise over all casters, without culling
-    /// Caster nearest the light that the map does not hold; none where it holds all, or where the pixel is lit.
+    /// Distance as gap_m, but over all casters, also those that culling or the near plane keeps out of the map. NaN:
+    /// none.
+    double blocker_m = std::numeric_limits<double>::quiet_NaN();
+    /// Caster nearest the light among those that shadow the pixel but are missing from the map; none: no such caster,
+    /// or the pixel is lit.
     std::optional<MissingCaster> missing;
-    std::string missing_path;  ///< path of that caster
-    CauseEvidence evidence;    ///< evidence of the probe, completed by the reference
-    bool any_leak = false;     ///< V > 0.02 in the umbra at the kernel's reach: in_umbra()
-    Cause cause;               ///< cause of the error, against the light without size
+    std::string missing_path;  ///< path of the missing caster; empty: none
+    CauseEvidence evidence;    ///< trials of the probe, with gaps and widths from the reference
+    bool any_leak = false;     ///< light in the umbra: V > 0.02, and the kernel's reach is dark: in_umbra()
+    Cause cause;               ///< cause of the error, compared with a light without size
 };
 
 /// Traces the reference (ray-traced visibility) of one probed pixel under one light and classifies the pixel's shadow
-/// error. Takes some thousand rays.
+/// error. Traces a few thousand rays.
 /// @param scene ray-tracing hierarchy over the same triangles as the probe
 /// @param light result of the probe for the light
 /// @param traits object_traits() of the probed scene and settings

@@ -13,8 +13,8 @@ inline constexpr std::string_view kNeedsAnotherMap = "needs another map from the
 /// @param key key as for find_setting(), such as "light.0.fit"
 bool acts_while_drawing(std::string_view key);
 
-/// Returns true when a setting changes a map that this program draws itself, in place of an imported one and with its
-/// view (map.bundle_maps).
+/// Returns true when a setting changes a map that this program draws in place of an imported map, with the same view
+/// (map.bundle_maps).
 /// @param key key of a setting for which acts_while_drawing() is true
 bool acts_on_redrawn_map(std::string_view key);
 

@@ -7,9 +7,9 @@
 
 namespace si {
 
-/// Formats the depth or moment for one grey of the map viewer. In the linear view (MapView) both are in metres along
-/// the light's axis: "12.5 m". In the raw view a stored depth is followed by its metres, "0.831 (12.5 m)". A moment has
-/// no unit there: "0.31".
+/// Formats the depth or moment that one grey of the map viewer shows. In the linear view (MapView) it is in metres
+/// along the light's axis: "12.5 m". In the raw view, a stored depth is followed by its metres, "0.831 (12.5 m)", and a
+/// moment has no unit: "0.31".
 /// @param value in the unit of view.map_black
 std::string grey_value_text(const ViewSettings& view, const FrameResult& frame, double value);
 

@@ -28,20 +28,19 @@ std::string_view lost_by_key(LostBy by);
 struct LostCaster {
     int object = 0;  ///< index into Scene::objects
     LostBy by = LostBy::Culling;
-    Cull cull = Cull::None;     ///< culling mode in force
+    Cull cull = Cull::None;     ///< face culling in force for the object
     std::size_t triangles = 0;  ///< number of triangles of the object
 };
 
 /// Finds the objects that should cast a shadow under a light but leave nothing in its shadow map. Front and back faces
-/// follow the winding as seen from the light, as in the rasteriser; mirroring transforms are undone. Takes time
-/// proportional to the number of objects and to the triangles of the objects found. Returns an empty list when the
-/// light has no map.
+/// follow the winding as seen from the light; a mirroring transform does not swap them. Takes time proportional to the
+/// number of objects and to the triangles of the objects found. Returns an empty list when the light has no map.
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light);
 
-/// Returns the lost casters that have a triangle between a surface point and the light, to explain a missing shadow
-/// there.
-/// @param lost objects missing from the light's shadow map, from lost_casters() @param point_ws surface point, world
-/// space
+/// Returns the lost casters that have a triangle between a surface point and the light, to explain a missing shadow at
+/// the point.
+/// @param lost objects missing from the light's shadow map, from lost_casters()
+/// @param point_ws surface point, world space
 std::vector<LostCaster> lost_casters_before(const Scene& scene, const std::vector<LostCaster>& lost,
                                             const FittedLight& light, const glm::dvec3& point_ws);
 

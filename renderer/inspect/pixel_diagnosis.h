@@ -14,7 +14,7 @@
 namespace si {
 
 /// Rounds a number up to three significant digits. Used for suggested biases: a value that is just large enough remains
-/// so. Returns 0 for numbers that are not positive.
+/// large enough. Returns 0 for numbers that are not positive.
 double round_up_3_digits(double v);
 
 /// Change of settings that makes one pixel's shadow test right, computed from the plane of the pixel's surface.
@@ -38,8 +38,8 @@ struct PixelDiagnosis {
     FragmentReference reference;
     DepthShift least;  ///< depth bias that the surface needs
     DepthShift has;    ///< equivalent depth bias of all bias settings
-    DepthShift shift;  ///< shift of the compared depth towards the light by bias
-    /// Distance to the surface nearest the light, along the light's axis; infinite without an occluder.
+    DepthShift shift;  ///< actual shift of the compared depth towards the light by bias
+    /// Distance from the surface to the occluder nearest the light, as a depth shift; infinite without an occluder.
     DepthShift occluder{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity()};
     /// Returns true when some depth bias is right; always where nothing occludes the light.
@@ -48,14 +48,15 @@ struct PixelDiagnosis {
     Cause cause() const { return reference.cause; }
     /// Returns true when a fix is wanted: the pixel is wrong, or right with faint acne or faint light.
     bool wants_fix() const { return cause().artefact != Artefact::None || cause().faint || reference.any_leak; }
-    /// Least power of two of map.resolution at which some depth bias is right. 0: at the present one. Infinite: at
-    /// none, since the steps of the depth format alone are too coarse.
+    /// Smallest power of two for map.resolution at which some depth bias is right. 0: the present resolution is enough.
+    /// Infinite: no resolution is, since the steps of the depth format alone are too coarse.
     double opening_resolution = 0;
-    bool right = true;  ///< visibility and reference lie on the same side of one half
-    /// Unknown or changed: the verdict speaks of this program's look-up of the engine's map, not of the engine's pixel.
+    bool right = true;  ///< visibility and reference are both at least 0.5, or both below
+    /// Knowledge of the engine's bias. Unknown or changed: the verdict is about this program's look-up of the engine's
+    /// map, not about the engine's pixel.
     EngineBias engine_bias = EngineBias::Own;
     std::string verdict;                     ///< a sentence
-    std::optional<SuggestedFix> fix;         ///< none where the pixel is right or no fix is known
+    std::optional<SuggestedFix> fix;         ///< none when no fix is needed or known
     std::optional<SuggestedFix> fix_of_map;  ///< fix that needs another map from the engine; none on drawn maps
 };
 

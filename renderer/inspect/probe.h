@@ -49,7 +49,7 @@ struct KernelFacts {
     std::array<double, 4> moments{kUnknown, kUnknown, kUnknown, kUnknown};  ///< fetched moments; unused ones NaN
     double mean = kUnknown;          ///< mean depth by the moments, as a share of the map's range
     double own = kUnknown;           ///< compared depth, as a share of the map's range
-    double margin = kUnknown;        ///< validity of the moments; below 0: no distribution of depths has them
+    double margin = kUnknown;        ///< validity of the moments; below 0: no distribution of depths has these moments
     double bound = kUnknown;         ///< upper bound of visibility by the moments, before light-bleed reduction
     std::vector<std::string> lines;  ///< the same numbers in words, with the formula of the bound
 };
@@ -61,12 +61,12 @@ inline constexpr int kProbeRowReachTexels = 32;
 struct Probe {
     bool hit = false;  ///< the pixel shows a surface
     int x = 0, y = 0;  ///< pixel, from the top left
-    glm::uvec2 id{0};  ///< triangle, as in SurfaceIds
+    glm::uvec2 id{0};  ///< object and triangle of the pixel, as in SurfaceIds
     Camera camera;
     int width = 0, height = 0;  ///< size of the picture in pixels
     int map_resolution = 0;     ///< texels of a map's longer side
     MapSize map_size;           ///< texels of a map
-    SurfaceIds around;          ///< triangles of the pixels within kRunReach, clipped to the picture
+    SurfaceIds around;          ///< object and triangle of the pixels within kRunReach, clipped to the picture
     glm::ivec2 around_at{0};    ///< top left pixel of `around` in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};
     std::string object;    ///< path of the object
@@ -75,27 +75,30 @@ struct Probe {
     struct PerLight {
         int light = 0;  ///< index of light.*
         int face = 0;   ///< cube face or cascade of the look-up; the numbers below belong to its view
-        /// Name of the view, such as "cascade 2 of 4", with the blended one in a blend band; empty for a single view.
+        /// Name of the view, such as "cascade 2 of 4", with the other cascade in a blend band; empty for a single view.
         std::string view;
         bool casts = false;                        ///< the light has a shadow map
         EngineBias engine_bias = EngineBias::Own;  ///< knowledge of the bias with which an engine reads its map
-        bool receives = true;                      ///< object.PATH.receive
+        bool receives = true;                      ///< the surface receives shadows (object.PATH.receive)
         FittedLight fitted;
         SurfacePoint point;
-        BiasBreakdown account;            ///< with the look-up in its `receiver`
+        BiasBreakdown account;            ///< depth bias by setting, with the look-up in BiasBreakdown::receiver
         glm::ivec2 texel{0};              ///< texel at the kernel's centre
         double stored = 0, stored_m = 0;  ///< depth in the nearest texel: raw, and metres along the light's axis
         double own = 0;                   ///< depth of the pixel's surface before bias
-        double gap_m = 0;                 ///< distance from the surface to the stored one, metres along the light's ray
-        double stored_linear = 0, own_linear = 0;  ///< the depths, 0 at the near plane to 1 at the far plane
-        double bias_texels = 0;                    ///< depth bias
-        glm::dvec3 offset_position_ws{0};          ///< surface position after the normal offset
-        double compared = 0;          ///< depth after bias at the look-up; within [0,1] for 16 and 24-bit maps
-        double compared_nearest = 0;  ///< depth after bias at the centre of the nearest texel
+        /// Distance from the surface to the stored depth, metres along the light's ray. Above 0: the stored depth is
+        /// nearer to the light.
+        double gap_m = 0;
+        /// `stored` and `own`, linear in distance: 0 at the near plane, 1 at the far plane.
+        double stored_linear = 0, own_linear = 0;
+        double bias_texels = 0;            ///< depth bias, texels
+        glm::dvec3 offset_position_ws{0};  ///< surface position after the normal offset
+        double compared = 0;               ///< depth after bias at the look-up; within [0,1] for 16 and 24-bit maps
+        double compared_nearest = 0;       ///< depth after bias at the centre of the nearest texel
         KernelFacts kernel;
-        std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; empty for moment kernels
+        std::vector<KernelTap> taps;             ///< bottom row first, each texel once; empty for moment kernels
         glm::ivec2 taps_first{0}, taps_size{0};  ///< bounding rectangle of the taps, texels
-        /// Texels within kProbeRowReachTexels of `texel` along u and along v, compared as by the kernel. Texels outside
+        /// Texels within kProbeRowReachTexels of `texel`, along u and along v, each with its comparison. Texels outside
         /// the kernel have weight 0. Empty where the map does not cover the point.
         std::array<std::vector<KernelTap>, 2> rows;
         double visibility = 1;   ///< result of the renderer's filter, cascades blended

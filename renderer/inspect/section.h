@@ -57,13 +57,13 @@ struct Section {
     };
 
     SectionCut cut;
-    int row = 0;                       ///< texel across the cut
-    double row_offset_texels = 0;      ///< distance from the cut to the middle line of the row
-    double surface_offset_texels = 0;  ///< distance from the cut to the surface point
+    int row = 0;                       ///< index of the row or column of texels that the cut shows
+    double row_offset_texels = 0;      ///< signed distance from the cut to the middle line of `row`
+    double surface_offset_texels = 0;  ///< signed distance from the cut to the surface point
     double texel_m = 0;                ///< width of a texel at the look-up, across the light's ray
     double texel_long_m = 0;           ///< width of a texel along the map; larger for oblique rays
     LightType light = LightType::Directional;
-    double light_m = 0;     ///< distance from light to surface along the axis; directional: from the near plane
+    double light_m = 0;     ///< distance from light to surface along the axis; parallel rays: from the near plane
     bool lit = true;        ///< visibility is at least one half
     bool shadowed = false;  ///< the cut has texels
     double visibility = 1, theta_rad = 0;
@@ -79,7 +79,7 @@ struct Section {
     DepthShift raster;                             ///< shift of the stored depths by polygon offset
     bool per_texel = false;                        ///< each texel has its own compared depth
     std::optional<Moments> moments;                ///< for moment kernels
-    std::vector<std::vector<glm::dvec2>> profile;  ///< first surfaces from the light by rays, one line each
+    std::vector<std::vector<glm::dvec2>> profile;  ///< first surfaces from the light, by rays; one polyline per surface
 
     // From the pixel diagnosis, where there is one.
     bool classified = false;       ///< a pixel diagnosis is known
@@ -87,9 +87,9 @@ struct Section {
     std::string verdict;           ///< a sentence
     bool reference_lit = true;     ///< result of the reference for a light without size
     bool tested = true;            ///< false: lit or dark without a look-up
-    DepthShift least, has, shift;  ///< members of PixelDiagnosis
-    /// Range of right biases: metres from the surface along its light ray (PixelDiagnosis::least and occluder). `has`
-    /// must reach the near end, and `shift` must stay below the far end.
+    DepthShift least, has, shift;  ///< as in PixelDiagnosis
+    /// Ends of the range of right biases, metres from the surface along its light ray (PixelDiagnosis::least and
+    /// occluder). A right bias has `has` at least window_from, and `shift` below window_to.
     double window_from = 0, window_to = std::numeric_limits<double>::infinity();
     bool has_window = false;
     /// Returns true when some depth bias is right for the pixel.
@@ -103,27 +103,28 @@ struct Section {
     const Step* find_step(int texel) const;
     /// Returns the step of the texel that the look-up falls into; null: the map has no texel there.
     const Step* lookup_step() const { return find_step(lookup_texel); }
-    int lookup_texel = 0;  ///< number along the cut of the texel that the look-up falls into
+    int lookup_texel = 0;  ///< index along the cut of the texel that the look-up falls into
 };
 
 /// Chooses the row or column of shadow-map texels whose cross-section shows a pixel's shadow test best. Near a shadow
-/// edge the cut crosses the edge. Elsewhere it follows the direction in which the surface slopes away from the light
-/// faster. Returns a count of 0 when the light has no map or the map does not cover the point.
-/// @param light the probe's result for the light @param diagnosis of the same pixel; null: none @param size texels of
-/// the map
+/// edge, or in shadow, the cut crosses the nearest edge. Elsewhere it runs along the map axis on which the surface's
+/// depth changes faster. SectionCut::count is 0 when the light has no map or the map does not cover the point.
+/// @param light the probe's result for the light @param diagnosis diagnosis of the pixel; null: none
+/// @param size texels of the map
 SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
                        MapSize size);
 
 /// Traces rays from a light through a row or column of shadow-map texels to the first surface, eight rays per texel. A
-/// cross-section draws these points beside the stored depths.
+/// cross-section draws the hit points beside the stored depths.
 /// @param light the probe's result for the light @param cut the row or column @param size texels of the map
 std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& light,
                                               const SectionCut& cut, MapSize size);
 
-/// Computes the cross-section of a pixel's shadow test along a cut.
-/// @param diagnosis null: none, and the section has no reference
+/// Computes the cross-section of a pixel's shadow test along a row or column of texels.
+/// @param light the probe's result for the light
+/// @param diagnosis diagnosis of the pixel; null: none, and the section has no reference
 /// @param size texels of the map
-/// @param profile reference_profile(), or empty
+/// @param profile points of reference_profile(); empty: surfaces are not drawn
 Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
                       MapSize size, std::span<const ReferencePoint> profile = {});
 

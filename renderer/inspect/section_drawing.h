@@ -69,7 +69,7 @@ struct LegendRow {
     Ink ink = Ink::Text;
     bool dashed = false;
     std::string_view text;  ///< static string
-    /// Returns true when the legend entry stands for a mark.
+    /// Returns true when the legend entry explains a mark, which has the same shape and role.
     bool explains(const Mark& mark) const { return mark.kind == kind && mark.ink == ink; }
 };
 inline constexpr double kSwatchEms = 1.6;  ///< width of a legend swatch, in text heights
@@ -78,7 +78,7 @@ inline constexpr double kSwatchEms = 1.6;  ///< width of a legend swatch, in tex
 struct SectionPage {
     double width = 960, height = 600;
     double em = 15;                                      ///< height of text
-    bool captions = true;                                ///< draws the verdict and the legend, too
+    bool captions = true;                                ///< draws the verdict and the legend
     std::function<double(std::string_view)> text_width;  ///< width of a text in pixels; none: estimated
 };
 
@@ -87,11 +87,11 @@ struct SectionPage {
 struct SectionDrawing {
     double width = 0, height = 0;
     std::vector<Mark> marks;        ///< from back to front
-    std::vector<LegendRow> legend;  ///< entries for all marks without a label, also where no legend is drawn
+    std::vector<LegendRow> legend;  ///< entries that explain a mark of the drawing, also when no legend is drawn
     double across = 1;              ///< pixels per metre across the light's ray
     double along = 1;               ///< pixels per metre along the light's ray
     double zero_x = 0, zero_y = 0;  ///< pixel of the origin of Section
-    bool broken = false;            ///< distant occluders are drawn in a separate strip at the top
+    bool broken = false;            ///< true: distant occluders are drawn in a separate strip at the top
 };
 
 /// Lays out a cross-section as lines, areas, dots and texts on a page. Without captions the drawing has the page's

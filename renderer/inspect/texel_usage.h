@@ -24,8 +24,8 @@ struct KernelFootprint {
 /// @param reach_texels Reach::read of the kernel
 KernelFootprint kernel_footprint(float u, float v, MapSize size, double reach_texels);
 
-/// Count, for each texel of one layer of a light's shadow map, of the picture's pixels that read the texel. Texels are
-/// numbered as in Probe: x to the right, y up.
+/// Number of picture pixels that read each texel of one layer of a light's shadow map. Texels are numbered as in Probe:
+/// x to the right, y up.
 class TexelUsage {
 public:
     TexelUsage() = default;
@@ -63,15 +63,14 @@ private:
     void count_texels();
 };
 
-/// Counts, for each texel of one layer of a shadow map, the pixels that read the texel under the settings' kernel and
-/// map.wrap.
+/// Counts the pixels that read each texel of one layer of a shadow map, under the settings' kernel and map.wrap.
 /// @param map_coordinates FrameResult::map_coordinates, read back
 /// @param size FrameResult::map_size
 /// @param layer cube face or cascade
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, MapSize size, int layer = 0);
 
-/// Returns the share of a shadow map's texels that at least one kernel fetches, 0..1. Counts the recorded fetches,
-/// where TexelUsage counts the square around each kernel.
+/// Returns the share of a shadow map's texels that at least one kernel fetches, 0..1. Counts only texels that were
+/// fetched, whereas TexelUsage counts the whole square around each kernel.
 /// @param texels_read FrameResult::texels_read, read back
 double exact_utilisation(const FloatImage& texels_read);
 
