@@ -19,7 +19,7 @@ struct AutopilotGoals {
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
     double max_seconds = 100;                  ///< duration of the search
-    std::size_t max_combinations = 160;        ///< limit of an exhaustive search; above, axes are searched in pairs
+    std::size_t max_combinations = 160;        ///< largest number that is searched whole; above, axes are paired
 };
 
 /// Chooses the settings that the autopilot varies, and the values that it tries, from measurements of the frame. Each
@@ -36,15 +36,15 @@ void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, c
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;
-    SettingChanges changes;       ///< of the settings that the search began with
+    SettingChanges changes;       ///< changes from the settings with which the search began
     MeasuredSettings classified;  ///< error and work
     std::optional<double> ms;     ///< frame time; none: not timed, since not needed
     double ms_noise = 0;          ///< half the confidence interval of the frame time
-    std::optional<bool> holds;    ///< within the limits; none: not timed, or undecided within noise
+    std::optional<bool> holds;    ///< true: within the limits; none: not timed, or undecided within noise
 };
 
-/// Share of one setting in the autopilot's result: error and frame time of the best settings found, with this setting
-/// alone put back to its old value.
+/// Contribution of one setting to the autopilot's result: error and frame time of the best settings found, with only
+/// this setting put back to its old value.
 struct SettingContribution {
     std::string key, before, now;  ///< setting with its old and new value
     double error = 0;              ///< error with the old value
@@ -58,7 +58,7 @@ struct AutopilotResult {
     MeasuredSettings before;
     double before_ms = 0;                      ///< frame time of the present settings
     std::vector<AutopilotCase> cases;          ///< all measured combinations of settings
-    std::vector<SettingContribution> dropped;  ///< settings that changed, as far as time allowed to measure them
+    std::vector<SettingContribution> dropped;  ///< contributions of changed settings, as far as time allowed
     std::size_t combinations = 0;              ///< number of combinations of the axes
     std::vector<std::string> untried;          ///< sentences about parts of the search that were left out
     std::string summary;                       ///< a sentence
@@ -69,8 +69,8 @@ struct AutopilotResult {
 /// Receives the result so far of an autopilot search, after each measured combination.
 using AutopilotShow = std::function<void(const AutopilotResult&)>;
 
-/// Searches combinations of settings for the best within the goals: the cheapest under an error limit, else the most
-/// accurate under a time limit. Draws nothing; the meter does.
+/// Searches combinations of settings for the best within the goals: the cheapest under an error limit, or without it
+/// the most accurate under a time limit. Draws and times by means of `meter`.
 /// @returns the result so far when the meter or the report throws Cancelled after the present settings were measured
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const TrialMeter& meter, const TrialReport& report = {}, const AutopilotShow& show = {});

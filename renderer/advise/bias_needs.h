@@ -10,14 +10,14 @@
 
 namespace si {
 
-/// Numbers of pixels of a frame that are darkened for lack of bias, and the side effects of its present bias: lit gaps
-/// at casters and shifted shadow edges.
+/// Numbers of pixels of a frame that are darkened for lack of bias, and the side effects of the frame's present bias:
+/// lit gaps at casters and shifted shadow edges.
 struct BiasNeeds {
     std::size_t pixels = 0;  ///< number of pixels that are lit in the reference and covered by the map
     /// Number of faintly darkened pixels, half lit or more, on planes with less bias than they need.
     std::size_t faint_acne = 0;
-    /// Number of faintly darkened pixels on planes with enough bias: an adjoining surface rises within the kernel's
-    /// reach, as a wall above its floor.
+    /// Number of faintly darkened pixels on planes with enough bias, where an adjoining surface rises within the
+    /// kernel's reach, as a wall above its floor.
     std::size_t folds = 0;
     /// Width of the lit gap at casters that touch their receiver, under the present bias, metres.
     double gap_median_m = 0, gap_p95_m = 0;
@@ -26,8 +26,8 @@ struct BiasNeeds {
 };
 
 /// Counts the pixels of a measured frame that lack bias, and measures lit gaps at casters and shifts of shadow edges.
-/// Considers only pixels that are counted, lit in the reference and covered by the shadow map: only these can show
-/// acne. Gaps and shifts come from an even sample of these pixels.
+/// Considers only pixels that are counted, lit in the reference and covered by the shadow map, since other pixels
+/// cannot show acne. Gaps and shifts come from an even sample of these pixels.
 /// @param settings settings of the measured frame
 /// @param driver traits of the rasteriser, on which polygon offset depends
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
@@ -38,37 +38,38 @@ bool has_lit_receivers(const MeasuredError& measured);
 
 /// Returns the distance of a point from the camera along the viewing axis, metres. Negative behind the camera.
 double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
-/// Returns the width that one pixel covers at a distance along the camera's viewing axis, metres.
+/// Returns the world-space width of one pixel at a distance along the camera's viewing axis, metres.
 /// @param depth_m distance along the axis; no effect for an orthographic camera
 /// @param lines height of the picture in pixels
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
-/// Computes the surface point of one pixel of a measured frame as the measured light sees it. Costs a fraction of
-/// MeasuredBias::breakdown().
+/// Computes the surface point of one pixel of a measured frame as the measured light sees it: its place in the map and
+/// its depth. Costs a fraction of MeasuredBias::breakdown().
 LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& receiver);
 
-/// Bias of the pixels of a measured frame. Keeps references to the constructor's arguments, which must outlive it.
+/// Calculator of the depth bias at pixels of a measured frame. Keeps references to the constructor's arguments, which
+/// must outlive it.
 class MeasuredBias {
 public:
     /// Keeps references to all arguments.
-    /// @param settings settings with the bias to examine, which need not be that of the frame
+    /// @param settings settings with the bias to examine, which may differ from the bias of the frame
     MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
-    /// Computes the depth bias that the settings give to the surface point of one pixel, with the share of each
-    /// setting, and the least bias that avoids acne there.
+    /// Computes the depth bias under the settings at the surface point of one pixel, with the share of each setting.
+    /// Includes the least bias that avoids acne at this point.
     BiasBreakdown breakdown(const Receiver& receiver) const;
 
 private:
     const MeasuredError& measured_;
     const Settings& settings_;
     const RasterTraits& driver_;
-    glm::dvec3 origin_ws_;  ///< of positions in shaders
+    glm::dvec3 origin_ws_;  ///< origin of positions in shaders
     double kernel_reach_texels_;
 };
 
 /// Computes the least settings of one kind of bias (row of the bias table) under which 999 of 1000 pixels that can show
 /// acne have enough bias. Uses an even sample of the pixels that bias_needs() considers. Amounts are in texels where
 /// bias.unit applies, and end at the limits of the settings. Kinds that compute the needed bias per pixel get no
-/// amounts. Normal offset and polygon offset, which act beside bias.kind, are not combined with another kind.
+/// amounts. Normal offset and polygon offset, which act beside bias.kind, get bias.kind=constant.
 /// @return none when the light draws no map, or when pixels need bias but no amount of the row gives them any
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);

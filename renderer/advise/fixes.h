@@ -32,8 +32,8 @@ struct FixFacts {
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
 /// Returns the keys of two filter kernels: the one that blurs shadow edges over the next smaller width than the present
-/// kernel, and the one over the next larger width. Only square kernels of sweep_kernels() are considered, at the sizes
-/// given there. A key is empty if there is no such kernel.
+/// kernel, and the one over the next larger width. Considers only the square kernels in the list of sweep_kernels(). A
+/// key is empty if there is no such kernel.
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 
 /// Converts the fix that a pixel diagnosis suggests into a candidate, which search_fixes() draws and measures.
@@ -43,56 +43,57 @@ Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings)
 /// Choice of a short or a whole list of setting changes for fix_candidates().
 enum class FixList {
     Short,  ///< changes that help most often
-    Whole,  ///< all kernels, and more strengths of each bias, too
+    Whole,  ///< also all kernels, and more strengths of each bias
 };
 
-/// Proposes setting changes that may put wrong pixels right, the most promising first. They concern bias, culling, near
-/// and far planes, kernel, map resolution, fit and map format. Leaves out changes without effect. Candidates whose bias
-/// would reach the limit of a setting are listed as untried (Candidate::untried). Draws nothing.
+/// Proposes setting changes that may put wrong pixels right, the most promising first. The changes concern bias,
+/// culling, near and far planes, kernel, map resolution, fit and map format. Leaves out changes without effect.
+/// Candidates whose bias would reach the limit of a setting are listed as untried (Candidate::untried). Draws nothing.
 std::vector<Candidate> fix_candidates(const Settings& settings, const FixFacts& facts, FixList list);
 
 /// Result of a search for fixes: all tried setting changes for the wrong pixels of a frame, the best first.
 struct FixTable {
-    /// Trials: the fix first, then by mean error, wrong pixels and time. Undrawn ones come last. A fix of an imported
-    /// map itself comes before one that was tried on the program's own map. Trial::why_not is empty for a fix: the
-    /// watched pixel is right within kRightVisibilityError, and wrong pixels, mean error, any acne and any leak are no
-    /// higher than before. It keeps source, camera, direction and scene, and costs at most twice the shadow's time and
-    /// bytes.
+    /// Trials: fixes, then other drawn trials, then undrawn ones. Each group is sorted by mean error, wrong pixels and
+    /// frame time; fixes on the program's own map (Trial::on_own_map) come after other fixes. Trial::why_not is empty
+    /// for a fix. A fix puts the watched pixel right within kRightVisibilityError; without a watched pixel, it lowers
+    /// the mean error. It raises neither wrong pixels, mean error, any acne nor any leak. It keeps light.source, the
+    /// camera and the reference, and at most doubles the shadow's time and the bytes of the maps.
     std::vector<Trial> rows;
-    std::size_t wrong = 0;                           ///< number of wrong pixels before
-    std::array<std::size_t, kArtefacts> wrong_of{};  ///< wrong pixels by cause
+    std::size_t wrong = 0;                           ///< number of wrong pixels under the present settings
+    std::array<std::size_t, kArtefacts> wrong_of{};  ///< these wrong pixels by cause
     std::size_t candidates = 0;                      ///< number of candidates, drawn or not
-    std::size_t refused = 0;                         ///< number of changes that the engine lacks, beside the candidates
+    std::size_t refused = 0;                         ///< number of further changes, which the engine lacks; not tried
     bool stopped = false;                            ///< stopped before all candidates were tried
     /// Returns the best fix of this search; null: no tried setting change is a fix.
     const Trial* fix() const;
-    /// Returns the trial that puts most wrong pixels of one cause right; null: none. Considers fixes, and trials that
-    /// would be fixes if their unknown frame time is low enough.
+    /// Returns the trial that puts most wrong pixels of one cause right; null: no trial does. Considers fixes, and
+    /// trials whose unknown frame time alone may keep them from being fixes.
     const Trial* fix_of(Artefact cause) const;
     /// Returns the number of candidate setting changes whose picture the search has drawn so far.
     std::size_t drawn() const;
 };
 
-/// Largest difference from the reference at which a fix counts as making its pixel right.
+/// Largest difference between a pixel's visibility and the reference at which a fix counts as putting the pixel right.
 inline constexpr float kRightVisibilityError = 0.25f;
 
 /// Options of find_fixes(), which searches setting changes that put wrong pixels right: watched pixel, timing, and
 /// further candidates.
 struct FixOptions {
-    /// Pixel to put right, from the top left, under a light without size as in a pixel diagnosis; none: the picture.
+    /// Pixel to put right, from the top left, compared with a light without size as in a pixel diagnosis; none: all
+    /// wrong pixels of the picture.
     std::optional<glm::ivec2> pixel;
-    bool time = false;   ///< times each trial, not only those that may be the fix
-    bool first = false;  ///< tries the whole list only if the short one has no fix
+    bool time = false;   ///< true: times every trial; false: only trials that may be the best fix
+    bool first = false;  ///< true: tries the whole list only if the short list has no fix
     FixList list = FixList::Short;
     std::vector<Candidate> more = {};  ///< further candidates
 };
 
-/// Draws candidates and rates them as fixes. Draws nothing itself; the meter does.
+/// Tries candidates as fixes of a frame's wrong pixels, and rates them. Draws and times by means of `meter`.
 /// @param before the present settings, with their frame
 /// @param shown receives the table so far, after each trial
 /// @param enough number of candidates after which a fix ends the search
-/// @param own returns the program's own maps, for changes that need another map than the imported one; empty: such
-/// changes are not tried. Called at the first such change
+/// @param own returns the program's own maps, for changes that need another map than the imported one; called at the
+/// first such change. Empty: such changes are not tried
 /// @returns the table so far when the meter or the report throws Cancelled
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> candidates,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report = {},
@@ -101,9 +102,9 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
                       const std::function<OwnMap()>& own = {});
 
 /// Searches for fixes of the wrong pixels in a frame: proposes setting changes, draws each, counts cured and broken
-/// pixels, and times those that may be the fix.
+/// pixels, and times the changes that may be the best fix.
 /// @param shown receives the table so far, after each trial
-/// @throws Cancelled before the first trial; later the table so far is returned. Error
+/// @throws Error; Cancelled before the first trial. Later the table so far is returned
 FixTable find_fixes(const SearchTools& tools, const Settings& settings, const FixOptions& options,
                     const std::function<void(const FixTable&)>& shown = {});
 

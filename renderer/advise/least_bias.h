@@ -15,22 +15,21 @@
 
 namespace si {
 
-/// Largest share of the counted pixels with acne that counts as no acne.
+/// Largest share of counted pixels with acne at which a frame counts as free of acne.
 inline constexpr double kMaxAcneShare = 1e-4;
 
 /// Trial of one bias: error, pixels that lack bias (BiasNeeds), and score of the frame that was drawn with it.
 struct BiasTrial {
     ErrorMetrics error;
     BiasNeeds needs;
-    /// Number of wrong pixels, plus the error of all pixels that are wrong by less and lie off the shadows' edges
-    /// (BiasScore).
+    /// Error score of the frame; less is better (BiasScore).
     double score = 0;
-    /// Returns the number of wrong pixels with acne.
+    /// Returns the number of pixels that are wrong by acne.
     std::size_t acne() const { return error.artefacts[std::size_t(Artefact::Acne)]; }
-    /// Returns the number of pixels that are wrong by too much bias: false light that a bias or offset lets in
+    /// Returns the number of pixels that are wrong by too much bias. They are false light that a bias or offset lets in
     /// (peter-panning), and false shadow that a normal offset casts (Artefact::OffsetShadow).
     std::size_t lost() const;
-    /// Returns true when acne is within kMaxAcneShare.
+    /// Returns true when the share of pixels with acne is within kMaxAcneShare.
     bool has_no_acne() const { return double(acne()) <= kMaxAcneShare * double(error.counted); }
 };
 
@@ -39,7 +38,8 @@ struct BiasTrial {
 /// differences within three standard errors of the reference, and pixels within the kernel's reach of a shadow edge.
 class BiasScore {
 public:
-    /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
+    /// Finds the pixels near shadow edges, which the sum leaves out.
+    /// @param measured, settings a frame with the scored kernel, map and reference
     BiasScore(const MeasuredError& measured, const Settings& settings);
     /// Returns the error score of a frame that was drawn with another bias; less is better.
     /// @param measured frame, compared with the same reference as the frame given to the constructor
@@ -53,10 +53,10 @@ private:
 /// of these amounts.
 struct BiasStart {
     const Bias* row = nullptr;
-    BiasSettings least;  ///< strength 1
-    /// Returns the bias settings at a multiple of the bias by theory. At 0 the row has no amounts.
+    BiasSettings least;  ///< amounts by theory: strength 1
+    /// Returns the bias settings at a multiple (`strength`) of the bias by theory. At 0 all amounts are 0.
     BiasSettings at_strength(double strength) const { return scale_bias(least, strength); }
-    /// Returns true when the row has amounts that the strength changes.
+    /// Returns true when the row has amounts, so that strengths differ.
     bool has_strength() const { return !(at_strength(1) == at_strength(0)); }
 };
 /// Computes for each kind of bias (row of the bias table) the least amounts by theory, from which a search starts.
@@ -73,12 +73,12 @@ struct TriedBias {
     BiasTrial trial;
 };
 
-/// Row of FoundBias::table(): the best bias of one kind, marked if it has the least score of all, or of all without
-/// acne.
+/// Row of FoundBias::table(): the best trial of one kind of bias. Marks show the trial with the least score of all, and
+/// of all without acne.
 struct FoundBiasRow {
     const TriedBias* tried;
-    bool least = false;  ///< the least score
-    bool clean = false;  ///< the least score of those without acne
+    bool least = false;  ///< true: the least score of all trials
+    bool clean = false;  ///< true: the least score of all trials without acne
 };
 
 /// Result of a search for the least bias: all trials, and best(), the one with the least error score (BiasScore).
@@ -86,12 +86,12 @@ struct FoundBias {
     BiasTrial before;                 ///< present bias
     std::vector<TriedBias> tried;     ///< all trials, in the order of the search
     std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
-    bool stopped = false;             ///< stopped before all rows were tried
-    /// Returns the bias with the least score whose gap is within max_gap_m; null: none. A bias with
-    /// more wrong pixels than the present one wins only if all have more. Scores closer than a hundredth tie; the
-    /// smaller mean error, then the smaller gap at casters decides.
+    bool stopped = false;             ///< true: stopped before all rows were tried
+    /// Returns the bias with the least score whose gap is within max_gap_m; null: none. A bias with more wrong pixels
+    /// than the present bias wins only if all have more. Scores closer than a hundredth tie. Then the smaller mean
+    /// error decides, then the smaller gap at casters.
     const TriedBias* best() const { return least_score(nullptr, false); }
-    /// Returns the bias with the least score among those without acne; null: none.
+    /// Returns the bias with the least score among those without acne, by the rules of best(); null: none.
     const TriedBias* best_without_acne() const { return least_score(nullptr, true); }
     /// Returns the trial with the least error score for each kind of bias (row of the bias table), in the order of the
     /// search. Kinds without an allowed trial are left out.
@@ -105,8 +105,8 @@ struct FoundBias {
 
 private:
     /// Returns the trial with the least error score whose gap at casters is allowed (max_gap_m); null: none. Trials
-    /// with more wrong pixels than before count only if all have more. Ties of the score go to the smaller mean error,
-    /// then to the smaller gap.
+    /// with more wrong pixels than the present bias count only if all have more. Ties of the score go to the smaller
+    /// mean error, then to the smaller gap.
     /// @param row only trials of this row of the bias table; null: of all rows
     /// @param no_acne true: only trials without acne
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
@@ -114,18 +114,19 @@ private:
 
 /// Function that draws a frame under a bias and measures it.
 using BiasMeter = std::function<BiasTrial(const BiasSettings&)>;
-/// Receives the results so far, after each row.
+/// Receives the results so far, after each row of the bias table.
 using FoundBiasShown = std::function<void(const FoundBias&)>;
 
-/// Searches the least bias among rows of the bias table: strengths by powers of two, then between the best ones. Draws
-/// nothing; the meter does. Stops with the results so far when the meter or the report throws Cancelled after the first
-/// trial.
+/// Searches the least bias among rows of the bias table. For each row it tries powers of two as strengths, then
+/// strengths between the best of these. Draws by means of `meter`. Stops with the results so far when the meter or the
+/// report throws Cancelled after the first trial.
+/// @param max_gap_m largest gap at casters, 95th percentile, metres; none: any
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
                             std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});
 
-/// Searches the least bias of the light view.light with a renderer. For an engine only rows that it has are tried, with
-/// the bias that it adds by itself.
+/// Searches the least bias of the light view.light with a renderer. With SearchTools::engine, tries only rows of the
+/// bias table that the engine has, and includes the bias that the engine always adds.
 /// @throws Cancelled before the first result; Error when the light draws no map
 FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
                           const FoundBiasShown& shown = {});

@@ -26,7 +26,7 @@ namespace si {
 /// Receives the share of a search that is done, 0..1, and its present step. May throw Cancelled.
 using TrialReport = std::function<void(double share, const std::string& step)>;
 
-/// Renderer, scene, picture size, caches and progress callback of a search over settings. For the renderer's thread
+/// Renderer, scene, picture size, caches and progress callback of a search over settings. Use on the renderer's thread
 /// only.
 struct SearchTools {
     Renderer& renderer;
@@ -34,8 +34,8 @@ struct SearchTools {
     int width, height;  ///< pixels of the picture
     ReferenceCache& cache;
     Workers workers = {};                   ///< threads of the reference, with the stop token of the search
-    TrialReport report = {};                ///< receives progress; empty: nobody does
-    const EngineProfile* engine = nullptr;  ///< engine that will draw the result; changes that it lacks are left out
+    TrialReport report = {};                ///< receives progress; empty: no reports
+    const EngineProfile* engine = nullptr;  ///< engine that will draw the result, which limits the changes; null: none
     /// Returns a copy of these tools for one step of a search: the step's progress 0..1 is reported as lo..hi. The
     /// `report` of the copy is never empty, and throws Cancelled once a stop was requested.
     SearchTools part(double lo = 0, double hi = 1) const;
@@ -76,23 +76,25 @@ struct Candidate;
 /// Functions by which searches draw, measure and time settings. renderer_trial_meter() makes them from a renderer;
 /// tests use a model instead.
 struct TrialMeter {
-    /// Draws a frame and measures the error of one light.
+    /// Draws a frame and measures the error of one light (index of light.*).
     std::function<MeasuredSettings(const Settings&, int light)> measure;
-    /// Measures as `measure` does, but finds causes of errors only where the last argument returns true for the
-    /// compared pixels (measure_error()). Null: `measure` is used.
+    /// Measures as `measure` does, but finds causes of errors only if the last argument, called with the compared
+    /// pixels, returns true (measure_error()). Null: `measure` is used.
     std::function<MeasuredSettings(const Settings&, int light, const NeedsCauses&)> measure_in_steps = nullptr;
-    /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that the second adds.
+    /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that `with` adds to
+    /// `before`.
     std::function<CostChange(const Settings& before, const Settings& with)> time;
     /// Times as `time` does, and ends as soon as the change is surely below or above a limit. Null: `time` is used.
     std::function<CostChange(const Settings& before, const Settings& with, double limit_ms)> time_to_limit = nullptr;
-    /// Returns the bytes of the maps under some settings, and draws nothing. Null: not known before a trial.
+    /// Returns the bytes of the maps under some settings, without a trial. Null: unknown before a trial.
     std::function<std::uint64_t(const Settings&)> map_bytes = nullptr;
-    std::function<CostChange(const Settings&)> ms = nullptr;  ///< times frames of one setting
+    /// Times frames under one set of settings. Returns the milliseconds per frame.
+    std::function<CostChange(const Settings&)> ms = nullptr;
     /// Draws one frame of a candidate, without a reference. @throws Cancelled
     std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
     std::function<double()> now_s = nullptr;  ///< present time in seconds, by any clock
-    /// Times in the fewest rounds, as every change is surely below an infinite limit. By `time` where a meter lacks
-    /// time_to_limit.
+    /// Times frames of two settings in as few rounds as possible, for a rough result. Uses `time` if time_to_limit is
+    /// null.
     CostChange time_in_few_rounds(const Settings& before, const Settings& with) const {
         constexpr double kNoLimit = std::numeric_limits<double>::infinity();
         return time_to_limit ? time_to_limit(before, with, kNoLimit) : time(before, with);
@@ -103,21 +105,25 @@ struct TrialMeter {
 struct TrialOptions {
     const Metric* error = &metrics().front();        ///< metric of MeasuredSettings::error; not Better::Neither
     CostCase cost = kDefaultCost;                    ///< kind of frames that are timed
-    bool work = true;                                ///< draws each frame once more to count its work
+    bool work = true;                                ///< true: draws each frame once more to count its work
     std::optional<ReferenceOptions> reference = {};  ///< none: reference_options() of the settings
 };
 
-/// Makes a trial meter that draws and times frames with a renderer. What the tools refer to must outlive the meter.
+/// Makes a trial meter that draws and times frames with a renderer. The renderer, scene and cache of the tools must
+/// outlive the meter.
 TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options = {});
 
-/// Times of two kinds of frames that time_alternately() drew in turns: mean of the first, and the difference.
+/// Result of time_alternately(), which draws frames of two kinds alternately: mean time of the first kind, and the
+/// difference.
 struct AlternatingTimes {
     double before_ms = 0;  ///< mean of the first kind
     CostChange more;       ///< milliseconds that the second kind takes more
 };
 /// Times two kinds of frames in alternating rounds, so that drift of the machine's speed affects both alike. Ends when
-/// the change is known or after some seconds. @param before, with draw a round of frames whose programs are compiled,
-/// and return the milliseconds of one @param limit_ms ends also once the change is surely below or above it
+/// the difference is known precisely enough, after a second or after 8 rounds.
+/// @param before, with functions that draw a round of frames of one kind, whose programs are compiled, and return the
+/// milliseconds of one frame
+/// @param limit_ms ends also once the difference is surely below or above this limit
 /// @throws Cancelled
 AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
                                   const std::stop_token& stop, std::optional<double> limit_ms = {});
@@ -147,10 +153,11 @@ struct Candidate {
 /// Visibility of one watched pixel in a trial, beside that of the reference.
 struct PixelTrial {
     float visibility = 1, reference = 1;
-    bool right = true;  ///< no artefact
+    bool right = true;  ///< the pixel is not wrong
 };
 
-/// Returns the state of a watched pixel in a measured frame. @param pixel its index, top row first
+/// Returns the visibility of a watched pixel in a measured frame, beside that of the reference.
+/// @param pixel index of the pixel, top row first
 PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel);
 
 /// Result of trying a setting change: error, cost and numbers of cured and broken pixels, compared with the present
@@ -158,30 +165,30 @@ PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel);
 struct Trial {
     Candidate candidate;
     SettingChanges changes;
-    MeasuredSettings before, after;                  ///< without frames
+    MeasuredSettings before, after;                  ///< MeasuredSettings::frame is null in both
     std::optional<CostChange> ms;                    ///< change of the frame time; none: not timed
     std::size_t cured = 0;                           ///< number of wrong pixels that become right
     std::size_t broken = 0;                          ///< number of right pixels that become wrong
     std::array<std::size_t, kArtefacts> cured_of{};  ///< cured pixels by cause
-    ErrorMetrics metrics;             ///< of the frame with the change; without causes if they could not matter
-    std::optional<PixelTrial> pixel;  ///< watched pixel
+    ErrorMetrics metrics;             ///< metrics of the frame with the change; without causes if none were needed
+    std::optional<PixelTrial> pixel;  ///< watched pixel; none: no pixel is watched
     std::string why_not;              ///< reason why the rule rejects the trial; empty: accepted
-    /// The trial stands for an imported map: `before` and `after` are of maps that the program draws from the same
-    /// light. See OwnMap.
+    /// True: the trial was drawn on the program's own maps in place of imported ones. Then `before` and `after` belong
+    /// to own maps, too (OwnMap).
     bool on_own_map = false;
     /// Returns true when the candidate was drawn.
     bool is_drawn() const { return candidate.untried.empty(); }
-    /// Returns the error that the change adds; negative: the error falls.
+    /// Returns the error that the change adds; below 0: the error falls.
     double added_error() const { return after.error - before.error; }
     /// Returns the largest rise of the error at which a tried change still counts as leaving the error unchanged. It is
-    /// kSameErrorShare of the error before, at least kSameError and a tenth of the reference's noise.
+    /// kSameErrorShare of the error before, at least kSameError and at least a tenth of the reference's noise.
     double tolerance() const;
     /// Returns the fall of the error that a tried change must exceed to count as an improvement: kSameError, or twice
     /// the noise of the mean error if that is larger.
     double least_gain() const;
-    /// Returns the bytes of maps and look-ups that the change adds; negative: saves.
+    /// Returns the bytes of maps and look-ups that the change adds; below 0: it saves bytes.
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
-    /// Returns the bytes of maps that the change adds.
+    /// Returns the bytes of maps that the change adds; below 0: it saves bytes.
     long long map_bytes() const { return (long long)after.work.map_bytes - (long long)before.work.map_bytes; }
     /// Returns true when the tried change was drawn and helps: it is accepted, or it lowers the error and leaves no
     /// watched pixel wrong.
@@ -190,9 +197,10 @@ struct Trial {
     long long gain() const { return (long long)cured - (long long)broken; }
 };
 
-/// Tries candidates in turn, and reports the name of each before. Returns false when the report or `attempt` throws
-/// Cancelled. @tparam C Candidate, or a type derived from it @param attempt receives a candidate to move from; returns
-/// false when no further one is needed
+/// Calls `attempt` for each candidate in turn, after a report of the candidate's name. Returns false when the report or
+/// `attempt` throws Cancelled.
+/// @tparam C Candidate, or a type derived from it
+/// @param attempt receives a candidate, which it may move; returns false when no further candidate is needed
 template <class C>
 bool try_each(std::vector<C> list, const TrialReport& report,
               const std::type_identity_t<std::function<bool(C&)>>& attempt) {
@@ -207,17 +215,18 @@ bool try_each(std::vector<C> list, const TrialReport& report,
     }
 }
 
-/// Removes the candidate setting changes that an engine cannot draw. Returns the number of removed ones.
+/// Removes the candidate setting changes that an engine cannot draw. Returns the number of removed candidates.
 /// @param engine engine that is to draw the found settings; null: nothing is removed
 /// @param base present settings
 std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* engine, const Settings& base);
 
-/// Largest error added by a change that counts as none: as a share of the error before the change, and absolute.
+/// Largest rise of the error that counts as no rise: as a share of the error before the change, and absolute.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 
 /// Draws a candidate and compares it with the present settings. A candidate that cannot be compared, such as one that
-/// moves the camera, gets Candidate::untried.
-/// @param before the present settings, with their frame @param pixel index of a pixel to watch, top row first
+/// moves the camera, gets a reason in Candidate::untried.
+/// @param base present settings @param before measurement under `base`, with its frame
+/// @param pixel index of a pixel to watch, top row first
 /// @param needs_causes decides whether Trial::metrics need causes; empty: they do
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
                     std::optional<std::size_t> pixel = {}, const NeedsCauses& needs_causes = {});

@@ -12,10 +12,10 @@ namespace si {
 /// Goals of tune(): limits of error, frame time and lit gap at casters that bias, kernel and map resolution have to
 /// keep.
 struct TuneGoals {
-    std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
+    std::optional<double> max_error, max_ms;   ///< limits; if both are none, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
-    bool no_acne = false;                      ///< bias with the least score among those without acne
+    bool no_acne = false;                      ///< true: only biases without acne are allowed
     std::optional<double> max_gap_m;           ///< largest gap at casters, metres
     /// Returns true when there is a limit of error or time.
     bool any() const { return max_error || max_ms; }
@@ -25,12 +25,13 @@ struct TuneGoals {
 /// limits.
 struct Tuned {
     FoundBias bias;
-    std::optional<AutopilotResult> limits;  ///< kernels and resolutions that were tried; none: without limits
-    std::optional<Settings> result;         ///< settings with the bias, kernel and resolution that were found
+    std::optional<AutopilotResult> limits;  ///< tried kernels and resolutions; none: no limit of error or time
+    std::optional<Settings> result;         ///< settings with the bias, kernel and resolution found; none: none found
     std::string summary;                    ///< the settings and their cost in a sentence, or why there are none
 };
 
-/// Searches the least bias of the light view.light, and with limits the best kernel and resolution with it.
+/// Searches the least bias of the light view.light. If error or time is limited, then searches the best kernel and map
+/// resolution under this bias.
 /// @param shown receives the biases so far
 /// @throws Cancelled before the first result; Error when the light draws no map
 Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& goals,
