@@ -17,9 +17,9 @@ struct SurfacePoint {
     glm::dvec3 geometric{0, 1, 0};    ///< unit normal of the triangle, on the side that the camera sees
     glm::dvec3 bias_normal{0, 1, 0};  ///< unit, the normal that bias.normal_source selects
     glm::dvec3 origin_ws{0};          ///< Camera::origin(), to which positions in shaders are relative
-    bool in_map = true;  ///< the triangle is drawn into maps: neither culled nor of an object without shadow
-    /// Corners of the triangle, whose greatest depth sets the unit of polygon offset in float formats. Without them it
-    /// is the depth of the point.
+    bool in_map = true;  ///< the triangle is drawn into maps: neither culled nor part of an object that casts no shadow
+    /// Corners of the triangle, world space. Their greatest depth sets the unit of polygon offset in float formats;
+    /// without corners the depth of the point does.
     std::optional<std::array<glm::dvec3, 3>> corners_ws = std::nullopt;
 };
 
@@ -36,33 +36,37 @@ struct DepthShift {
 struct BiasBreakdown {
     LightReceiver receiver;
     ReceiverPlane plane;
-    DepthCurve curve;      ///< of the receiver's view
+    DepthCurve curve;      ///< along the light's ray through the point
     double theta_rad = 0;  ///< angle between the triangle's normal and the light
     LeastBias least;       ///< depth-buffer units; 0 where the surface is not in the map
-    bool in_map = true;    ///< the map holds the surface's own face, which can then shadow itself
+    bool in_map = true;    ///< the surface is drawn into the map, and can then shadow itself
 
     // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
     // depth and the receiver's plane.
-    double constant = 0;      ///< 0 where the slope bias is larger
-    double slope = 0;         ///< 0 where the constant bias is larger
-    double bias_of_kind = 0;  ///< offset that bias.kind adds with constant and slope 0 (Bias::gives_needed_bias)
-    /// Normal offset h by its distance from the plane, as the look-up moves along the plane: h times 1 / cos(theta) for
-    /// bias.normal_by length, tan(theta) for sine, (1 - cos(theta)) / cos(theta) for one-minus-cosine, and
-    /// sin(theta) tan(theta) for sideways. Infinite for a plane edge-on to the light.
+    double constant = 0;      ///< depth bias by bias.constant, depth-buffer units; 0 where the slope bias is larger
+    double slope = 0;         ///< depth bias by bias.slope, depth-buffer units; 0 where the constant bias is larger
+    double bias_of_kind = 0;  ///< depth bias by bias.kind with constant and slope 0 (Bias::gives_needed_bias)
+    /// Equivalent depth bias of the normal offset h (bias.normal), in depth-buffer units: depth between the moved point
+    /// and the receiver's plane. Along the light's ray this is h times 1 / cos(theta) for bias.normal_by length,
+    /// tan(theta) for sine, (1 - cos(theta)) / cos(theta) for one-minus-cosine, and sin(theta) tan(theta) for sideways.
+    /// Infinite for a plane edge-on to the light.
     double normal = 0;
-    /// bias.raster_* on this plane, as the driver applies them (PolygonOffset), and LightView::caster_shift.
+    /// Equivalent depth bias of polygon offset (bias.raster_*, as the driver applies it) and of
+    /// LightView::caster_shift, in depth-buffer units.
     double raster = 0;
 
     /// Returns the equivalent depth bias of all bias settings together, in depth-buffer units. The surface does not
-    /// shadow itself when it is at least least.total().
+    /// shadow itself when this bias is at least least.total().
     double equivalent_depth() const { return constant + slope + bias_of_kind + normal + raster; }
-    /// Shift of the compared depth towards the light, in depth-buffer units: occluders nearer to the receiver cast no
-    /// shadow. The normal offset counts only by its part along the light.
+    /// Shift of the compared depth towards the light, in depth-buffer units. Occluders closer to the receiver than this
+    /// shift cast no shadow. The normal offset counts only by its part along the light's ray.
     double depth_shift = 0;
     bool per_texel = false;  ///< every texel is compared with a depth of its own (Bias::per_texel)
-    /// Largest difference between a texel's compared depth and that at the look-up (bias.plane_clamp).
+    /// Largest difference between a texel's compared depth and the compared depth at the look-up (bias.plane_clamp), in
+    /// depth-buffer units; infinite: no limit.
     double max_texel_shift = 0;
-    /// Further bias of a texel per texel of its distance from the look-up (Bias::remainder); 0: the plane alone.
+    /// Additional bias of a tap for each texel of its distance from the look-up, in depth-buffer units
+    /// (Bias::remainder); 0: none.
     double remainder_per_texel = 0;
     MapSize map_size{1};  ///< texels of the map
     /// Returns the depth of the receiver, with its bias, that is compared with one texel of the shadow map.
@@ -73,11 +77,11 @@ struct BiasBreakdown {
         const double along_axis = curve.metres_towards_light(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
-    double moved_aside_m = 0;  ///< way of shadows over the surface by a sideways offset, beside contact_gap()
+    double moved_aside_m = 0;  ///< metres that a sideways normal offset adds to contact_gap_m(), beside its depth bias
     /// Returns the largest width in metres of the lit strip next to a caster that touches the receiver (peter-panning).
     /// It is the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For
-    /// a normal offset h this is h tan(theta): a strip behind a caster that leans along the rays, and a shift of the
-    /// shadow's edges elsewhere. A sideways offset of h moves shadows by h tan(theta) as well.
+    /// a normal offset of length h this is h tan(theta): a lit strip where the caster leans along the light's rays,
+    /// elsewhere a shift of the shadow's edges. A sideways offset with bias.normal h (metres) gives h tan(theta), too.
     double contact_gap_m() const;
     /// Returns the distance in metres by which the normal offset moves shadow edges along the surface: the part of the
     /// offset across the light's ray, divided by cos(theta), with theta between the surface normal and the light.
@@ -88,7 +92,7 @@ struct BiasBreakdown {
 /// and the least bias that avoids acne there.
 /// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
-/// @param kernel_reach_texels kernel_reach_in_light().bias, the same for all points; none: is computed
+/// @param kernel_reach_texels kernel_reach_in_light().bias, the same for all points; none: computed by this call
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size,
                              const SurfacePoint& point, const RasterTraits& driver,
                              std::optional<double> kernel_reach_texels = {});

@@ -34,12 +34,12 @@ std::string_view place_name(std::optional<MapPlace> place);
 /// Surface point projected into a light's shadow map, with its texel size, depth curve, bias and compared depth.
 struct LightReceiver {
     std::size_t view = 0;        ///< index among the light's views (cascade or face)
-    std::size_t other_view = 0;  ///< view whose visibility is blended in
+    std::size_t other_view = 0;  ///< view whose visibility is blended in by `blend`
     double blend = 0;            ///< weight of `other_view`; all other members belong to `view`
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};
     glm::dvec3 uvd{0};               ///< map coordinates and depth in [0,1], before any bias
-    glm::dvec3 to_light{0};          ///< unit
+    glm::dvec3 to_light{0};          ///< unit vector towards the light, world space
     double n_dot_l = 0;              ///< cosine between the geometric normal and the light
     double texel_m = 0;              ///< size of a texel at the point in metres, along its longest direction
     DepthCurve curve;                ///< depths along the light's ray through the point
@@ -48,12 +48,12 @@ struct LightReceiver {
     double bias_depth = 0;           ///< bias by bias.kind, depth-buffer units; above 0 shifts towards the light
     double bias_m = 0;               ///< `bias_depth` in metres along the view's axis
     glm::dvec3 normal_offset_ws{0};  ///< shift of the look-up's point by the normal offset, metres
-    double normal_offset_m = 0;      ///< its length
-    glm::dvec3 tap{0};               ///< uvd after the normal offset, before the depth bias
-    double tap_m = 1;     ///< metres from the light along the view's axis at `tap`; above 0 for a perspective light
+    double normal_offset_m = 0;      ///< length of `normal_offset_ws`
+    glm::dvec3 tap{0};               ///< map coordinates and depth after the normal offset, before the depth bias
+    double tap_m = 1;     ///< perspective light: metres from the light along the view's axis at `tap`, above 0
     double compared = 0;  ///< depth that is compared with the map at `tap`
     MapPlace place = MapPlace::Inside;
-    /// Returns true when the shadow map covers the projected surface point.
+    /// Returns true if the shadow map covers the projected surface point, or the point lies before the near plane.
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 

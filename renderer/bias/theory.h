@@ -40,11 +40,11 @@ double depth_quantum(MapFormat format, const DepthCurve& curve, double depth);
 
 /// Parts of the least bias with which a receiver's plane does not shadow itself, in depth-buffer units.
 struct LeastBias {
-    double kernel = 0;    ///< taps read texels up to kappa away on a tilted plane
+    double kernel = 0;    ///< taps read texels up to kappa texels away on a tilted plane
     double quantum = 0;   ///< rounding of stored depths to the map's format
     double snapping = 0;  ///< vertices snap to the rasteriser's sub-pixel grid
     double rounding = 0;  ///< shaders compute in single precision
-    /// Returns the least bias when every texel is compared with the plane's depth at its own centre.
+    /// Returns the least bias when every texel is compared with the plane's depth at the texel's centre.
     double without_kernel() const { return quantum + snapping + rounding; }
     /// Returns the least bias, all parts together.
     double total() const { return kernel + without_kernel(); }
@@ -62,10 +62,10 @@ struct LeastBias {
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize size, double quantum, int subpixel_bits,
                      double rounding = 0);
 
-/// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units:
-/// 4 2^-23 max(P (|d'| + d |w'| / w), d). P is `extent_m`, d the depth, w that of clip space, and ' the change per
-/// metre. The first term is the rounding of coordinates, which a warped view also divides by w. The second is the
-/// rounding of the depth itself, which dominates where perspective depths crowd at 1.
+/// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units: 4 2^-23 max(P
+/// (|d'| + d |w'| / w), d). P is `extent_m`, d the depth, w the clip-space w, and ' marks a change per metre. The first
+/// term is the rounding of coordinates, which a warped view also divides by w. The second is the rounding of the depth
+/// itself, which dominates where perspective depths crowd at 1.
 /// @param extent_m largest coordinate in the shaders, metres
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
