@@ -28,7 +28,7 @@ public:
         bytes_.resize((bytes_.size() + 3) / 4 * 4);
     }
     void block(std::string_view text) { block({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
-    /// Returns the bytes written so far, to be moved away at the end.
+    /// Returns the bytes written so far. The caller may move them away once the message is complete.
     std::vector<std::uint8_t>& bytes() { return bytes_; }
 
 private:
@@ -46,7 +46,7 @@ public:
         std::memcpy(&value, take(sizeof value).data(), sizeof value);
         return value;
     }
-    /// Returns the next block, as a part of the bytes.
+    /// Returns the next block, as a view into the bytes.
     std::span<const std::uint8_t> block() {
         const std::uint64_t size = number();
         if (size > bytes_.size() - at_) fail();
@@ -54,11 +54,12 @@ public:
         at_ = std::min(bytes_.size(), (at_ + 3) / 4 * 4);
         return out;
     }
+    /// Returns the next block as text, as a view into the bytes.
     std::string_view text() {
         const auto bytes = block();
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     }
-    /// Returns true at the end of the bytes.
+    /// Returns true if all bytes were read.
     bool at_end() const { return at_ == bytes_.size(); }
 
 private:

@@ -24,7 +24,7 @@ public:
     /// Reads a glTF accessor as elements of N floats. Normalised integers are mapped to [0,1] or [-1,1], others keep
     /// their value.
     /// @param pick the elements to read, in this order, each below count(); empty: all
-    /// @throws Error when the element type has another width
+    /// @throws Error when the elements do not have N components
     template <int N>
     std::vector<glm::vec<N, float>> floats(int accessor, const Place& place, std::span<const std::uint32_t> pick = {});
 

@@ -13,21 +13,23 @@ namespace si::gltf {
 /// Buffers and buffer views of one glTF file. Buffers are loaded on first use, and their total size is limited.
 class Buffers {
 public:
-    /// `root` and the bytes behind `container` must outlive this object.
+    /// Prepares the buffers of a glTF file, without loading any. `context`, `root`, `container` and its bytes must
+    /// outlive this object.
     Buffers(Context& context, const Json& root, const Container& container);
     /// Returns the bytes of glTF buffer `i`; loads them on first use. @throws Error when they cannot be loaded.
     std::span<const std::uint8_t> buffer(std::size_t i);
-    /// Returns the bytes of glTF buffer view `i`. check_data() has validated the range of the view. Empty for a faulty
-    /// view, which no accessor reads.
+    /// Returns the bytes of glTF buffer view `i`, and loads its buffer on first use. Call after check_data(), which
+    /// validates all views. Empty for a faulty view, which no accessor reads.
+    /// @throws Error when the buffer cannot be loaded
     std::span<const std::uint8_t> view(std::size_t i);
     /// Appends a buffer of decoded bytes, such as decompressed vertices. Its index is the previous number of buffers.
     /// The caller adds the same buffer to the JSON document.
     void add(std::vector<std::uint8_t> bytes);
-    /// Returns the bytes that files and data URIs may still take.
+    /// Returns the part of GltfOptions::max_file_bytes, in bytes, that is left for further files and decoded buffers.
     std::size_t bytes_left() const { return bytes_left_; }
-    /// Returns the bytes of all buffers loaded so far.
+    /// Returns the total size in bytes of all buffers loaded or added so far.
     std::size_t bytes_loaded() const { return bytes_loaded_; }
-    /// Subtracts `bytes` from bytes_left().
+    /// Subtracts `bytes` from bytes_left(), at most to 0. Call after an image was read from a file or data URI.
     void spend(std::size_t bytes) { bytes_left_ -= std::min(bytes, bytes_left_); }
 
 private:

@@ -18,7 +18,7 @@ struct Container {
 
 /// Splits the bytes of a glTF file into JSON and binary chunk. Recognises GLB by its first bytes, not by the file's
 /// name, and validates every length (glTF 2.0, section 4).
-/// @throws Error when the file is neither JSON nor GLB, or a chunk passes the end of the file
+/// @throws Error when the file is neither JSON nor GLB, or a chunk extends beyond the end of the file
 Container split_container(Context& context, std::span<const std::uint8_t> file);
 
 }  // namespace si::gltf

@@ -27,7 +27,7 @@ struct Place {
     std::string text() const;
 };
 
-/// Fix that errors name where a file violates the format.
+/// Default advice of errors, for a file that violates the glTF format.
 inline constexpr std::string_view kRepairHint = "repair the file or export it again";
 
 /// State that all steps of loading one glTF file share: path, options, errors, warnings, progress, and the files read.
@@ -55,7 +55,7 @@ public:
     /// Records a file that the scene is loaded from, with its time stamp, so that later changes of the file are
     /// noticed. Call before reading the file, even if it is missing.
     void note_file(const std::filesystem::path& path);
-    /// Returns the recorded files.
+    /// Returns the files recorded by note_file(), and clears the record. Call once, after loading.
     std::vector<StampedFile> take_files() { return std::move(files_); }
 
     /// Returns the path of the glTF file.

@@ -36,21 +36,22 @@ struct DracoResult {
 
 /// Draco meshes that were decoded together, with the bytes of their vertices and indices.
 struct DracoResults {
-    std::vector<DracoResult> meshes;  ///< for each request, in its order
+    std::vector<DracoResult> meshes;  ///< results in the order of the requested meshes
     std::vector<std::uint8_t> bytes;
 };
 
-/// Job that decodes meshes in a child process.
+/// Job that decodes Draco meshes in a child process; row of foreign_jobs().
 extern const ForeignJob kDracoJob;
 
-/// Decodes Draco meshes in a child process, which confines crashes of the decoder. Vertex indices are below the number
-/// of points; attribute values are not validated.
+/// Decodes Draco meshes in a child process, which confines crashes of the decoder. DracoResult::error has the reason
+/// for a mesh that cannot be decoded. Vertex indices are below the number of points; attribute values are not
+/// validated.
 /// @param progress receives 0..1; returning false cancels
-/// @throws Error a sentence without the file's name, or "cancelled"
+/// @throws Error a sentence without the file's name when the child process fails, or "cancelled"
 DracoResults decode_draco(std::span<const DracoMesh> meshes, const std::function<bool(double)>& progress);
 
-/// Decodes the Draco meshes of a request from pack_draco() in this process. The child process of decode_draco() runs
-/// it.
+/// Decodes the Draco meshes of a request from pack_draco(), in the child process of decode_draco(). Returns the packed
+/// results.
 /// @param progress receives 0..1 @throws Error
 std::vector<std::uint8_t> decode_packed_draco(std::span<const std::uint8_t> request,
                                               const std::function<void(double)>& progress);

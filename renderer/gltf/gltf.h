@@ -19,11 +19,14 @@ namespace si {
 struct GltfOptions {
     /// Progress callback, called with 0..1; returning false cancels (load_gltf throws Error "cancelled").
     std::function<bool(double)> progress;
+    /// Largest size in bytes of the model file, and largest total size of the other files that it loads.
     std::size_t max_file_bytes = std::size_t{4} << 30;
-    FileChoices file = {};  ///< scene of the file, up axis, unit
-    /// Reads a file that the model names beside itself. Empty: a file below the model's folder is read.
+    FileChoices file = {};  ///< the user's choices: scene of the file, up axis, unit
+    /// Callback that reads a buffer or image file which the model names. Empty: the loader reads such files itself,
+    /// from the model's folder and below.
     std::function<ReadResult(const std::string& name, std::size_t max_bytes)> read_file = {};
-    /// Transform from the file's space to metres, y up, right-handed, in place of up axis and unit.
+    /// Transform from the file's space to the scene's: metres, y up, right-handed. If set, it replaces the chosen up
+    /// axis and unit.
     std::optional<glm::dmat4> world = {};
 };
 
@@ -36,14 +39,15 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = 
 Scene load_gltf_bytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                       const GltfOptions& options);
 
-/// Loads a scene from the bytes of a GLB that an importer has made of another format. The bytes are as little trusted
-/// as a file, and may name no other file. Notes, up axis and unit come from the extras of its asset.
+/// Loads a scene from the bytes of a GLB that an importer has made from a file of another format. The bytes are
+/// validated like a file, and must not name other files. Notes, up axis and unit come from the extras of the GLB's
+/// asset.
 /// @param path the user's file, for messages and Scene::name @throws Error as load_gltf()
 Scene load_converted(std::span<const std::uint8_t> glb, const std::filesystem::path& path,
                      const GltfOptions& options = {});
 
 /// Saves a scene as one self-contained file. The file's extension chooses .gltf (JSON with embedded buffers) or .glb.
-/// Writes atomically: after an error an earlier file is still there.
+/// Writes atomically: an error leaves an earlier file unchanged.
 /// @throws Error naming the file
 void save_gltf(const Scene& scene, const std::filesystem::path& path);
 

@@ -29,7 +29,7 @@ const Json* extension_of(const Json& object, const char* name);
 /// Returns a string member of a JSON object. Empty when the member is absent or not a string.
 std::string text_member(const Json& object, const char* key);
 
-/// Returns a member of a JSON object as an index. Empty when the member is absent, not a whole number, or not below
+/// Returns a member of a JSON object as an index; nullopt when the member is absent, not a whole number, or not below
 /// `size`.
 std::optional<std::size_t> index_member(const Json& object, const char* key, std::size_t size);
 

@@ -24,8 +24,8 @@ struct MaterialUv {
     UvSource base_colour, normal;
 };
 
-/// Makes blended materials opaque whose alpha is 1 at every texel and vertex, with a warning for each. Blending changes
-/// no pixel there, and only an opaque surface casts a shadow by default. Call after Textures::decode().
+/// Makes a material with alpha blending opaque if its alpha is 1 at every texel and vertex, with a warning. Blending
+/// would change no pixel there, and blended surfaces cast no shadow by default. Call after Textures::decode().
 /// @param root the glTF document
 void make_full_blends_opaque(Context& context, const Json& root, Scene& scene);
 
@@ -34,8 +34,8 @@ class Materials {
 public:
     /// Copies all materials into the scene, still without textures.
     Materials(Context& context, const Json& root, const tinygltf::Model& model, Textures& textures, Scene& scene);
-    /// Marks a glTF material as used, which requests its textures the first time. Returns the sources of the texture
-    /// coordinates of these textures. @param i index of the material; -1: the default one
+    /// Returns the texture coordinate sources of a glTF material. The first call for a material requests its textures.
+    /// @param i index of the material; -1: the default material
     const MaterialUv& use(int i);
 
 private:

@@ -15,7 +15,7 @@ struct PlacedNodes {
 /// Adds the nodes of a glTF scene to `scene`, parents first, with their rigid objects, cameras and lights. add_rig()
 /// adds the skinned and morphed objects later.
 /// @param root JSON of the file @param model the same file as parsed by tinygltf
-/// @param scene_index scene of the file; -1: the default one
+/// @param scene_index index of the scene in the file; -1: the file's default scene
 PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
                         Primitives& primitives, int scene_index, Scene& scene);
 

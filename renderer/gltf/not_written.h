@@ -8,9 +8,9 @@
 
 namespace si::gltf {
 
-/// Lists the parts of a glTF file that are lost when its scene is saved by save_gltf(), one sentence each. Scene does
-/// not hold them: extensions, properties of materials, formats of images, extras and the copyright. @param root JSON of
-/// the file
+/// Lists the parts of a glTF file that are lost when its scene is saved by save_gltf(), one sentence each. Scene has no
+/// fields for these parts: extensions, properties of materials, formats of images, extras and the copyright.
+/// @param root JSON of the file
 std::vector<std::string> parts_not_written(const Json& root);
 
 }  // namespace si::gltf

@@ -37,8 +37,9 @@ private:
     /// @param source attribute and transform @param pick indices of the vertices to read; empty: all
     std::vector<glm::vec2> coordinates(const tinygltf::Primitive& primitive, const Place& place, const UvSource& source,
                                        std::span<const std::uint32_t> pick);
-    /// Renumbers vertex indices so that only used vertices are counted. Returns the old index of each used vertex, in
-    /// the order of first use. @param vertex_count number of vertices before
+    /// Renumbers vertex indices without gaps, in the order of first use, to drop unused vertices. Returns the old index
+    /// of each used vertex.
+    /// @param vertex_count number of vertices before renumbering
     std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::size_t vertex_count);
 
     Context& context_;

@@ -6,8 +6,8 @@
 
 namespace si::gltf {
 
-/// Adds skinned and morphed meshes and the animations of a glTF file to a scene, and applies the rest pose. A scene
-/// without animations and deformed meshes gets no rig.
+/// Adds the skinned and morphed meshes and the animations of a glTF file to a scene, and applies the rest pose. A scene
+/// with neither animations nor deformed meshes gets no rig (Scene::rig).
 /// @param placed nodes of the file that place_nodes() has added
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
              Primitives& primitives, const PlacedNodes& placed, Scene& scene);

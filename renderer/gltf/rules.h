@@ -60,7 +60,8 @@ struct Sizes {
 };
 
 /// Counts the elements of all top-level arrays of a glTF file.
-/// @throws Error when such a member is not an array of objects, or when all elements would need more than 512 MiB
+/// @throws Error when one of these members is not an array of objects, or when all elements would need more than 512
+/// MiB
 Sizes check_arrays(const Context& context, const Json& root);
 
 /// Validates the lengths and URIs that a glTF file states for its buffers, without loading them. Returns the lengths in
@@ -82,7 +83,7 @@ void check_look(Context& context, Json& root, const Sizes& sizes);
 /// Returns the size in bytes of a glTF component type, such as 4 for 5126 (float); 0 for an unknown type.
 std::size_t component_bytes(std::uint64_t component_type);
 /// Returns the size in bytes of one element of a glTF accessor, with the column padding of matrices (glTF 2.0, section
-/// 3.6.2.4). 0 for an unknown type. @param type "VEC3"
+/// 3.6.2.4). 0 for an unknown type. @param type of the accessor, such as "VEC3"
 std::size_t element_bytes(std::string_view type, std::uint64_t component_type);
 
 }  // namespace si::gltf

@@ -24,7 +24,7 @@ public:
     /// an opaque material.
     /// @param material index in Scene::materials @param is_ktx2 true: the warning advises to convert KTX2 images
     void warn_lost_alpha(std::size_t material, bool is_ktx2);
-    /// Returns true when KTX2, which is not read, is the only image format of a glTF texture.
+    /// Returns true when a glTF texture has an image in the format KTX2 only, which this loader does not read.
     bool is_ktx2_alone(int texture) const;
     /// Decodes the images of all requested textures, in parallel. Textures whose images fail are removed from the scene
     /// and from its materials, with a warning.
@@ -37,7 +37,7 @@ private:
     struct Job {
         int image = -1;
         std::size_t scene_texture = 0;
-        bool says_webp = false;  ///< its texture has EXT_texture_webp
+        bool says_webp = false;  ///< the glTF texture has EXT_texture_webp
     };
     /// Image that another thread or a child process decodes, with its encoded bytes.
     struct Decoding {
@@ -45,7 +45,7 @@ private:
         std::string error;
         std::size_t cost = 0;
         std::span<const std::uint8_t> webp;  ///< bytes of a WebP image, which decode_webp_images() decodes
-        std::future<Image> image;  ///< valid without `error` and `webp`; last, so that it ends before its bytes do
+        std::future<Image> image;  ///< invalid if `error` or `webp` is set; last: destroyed before the bytes it reads
     };
     /// Starts decoding a texture's image on another thread. A WebP image is only fetched; decode_webp_images() decodes
     /// it.
@@ -59,7 +59,8 @@ private:
     /// Decodes WebP images in several child processes at once. Returns the images in the order of `waiting`.
     std::vector<Image> decode_webp_images(const std::vector<Decoding>& waiting);
     /// Moves a decoded image into its texture of the scene. If decoding failed, warns with the reason and marks the
-    /// texture for remove_failed(). @param job the texture
+    /// texture for remove_failed().
+    /// @param job request for the texture
     void keep(const Job& job, Image image);
     /// Finds the encoded bytes of a glTF image in a buffer view, a data URI or a file. Returns an error text; empty on
     /// success.
@@ -74,10 +75,10 @@ private:
     const tinygltf::Model& model_;
     Buffers& buffers_;
     Scene& scene_;
-    std::map<std::tuple<int, int, bool>, int> known_;  ///< image, sampler, srgb
+    std::map<std::tuple<int, int, bool>, int> known_;  ///< index in Scene::textures, or -1, by image, sampler and srgb
     std::vector<Job> jobs_;
     std::vector<Failure> failures_;  ///< by texture of the scene
-    std::size_t decoded_bytes_ = 0;  ///< of all textures
+    std::size_t decoded_bytes_ = 0;  ///< size of all decoded textures
 };
 
 }  // namespace si::gltf

@@ -12,7 +12,7 @@
 
 namespace si::gltf {
 
-/// Job that decodes images in a child process.
+/// Job that decodes WebP images in a child process; row of foreign_jobs().
 extern const ForeignJob kWebpJob;
 
 /// Returns true when the bytes begin with the signature of a WebP file.
@@ -26,8 +26,8 @@ bool is_webp(std::span<const std::uint8_t> bytes);
 std::vector<Image> decode_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes,
                                std::atomic<std::size_t>& bytes_left, const std::atomic<bool>& stop);
 
-/// Decodes the WebP images of a request from pack_webp() in this process: as many as fit into one answer, but at least
-/// one. The child process of decode_webp() runs it.
+/// Decodes the WebP images of a request from pack_webp(), in the child process of decode_webp(). Returns the packed
+/// images: as many as fit into one answer, but at least one.
 /// @param progress called after each image, to notice cancelling
 std::vector<std::uint8_t> decode_packed_webp(std::span<const std::uint8_t> request,
                                              const std::function<void(double)>& progress);

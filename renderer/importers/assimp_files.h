@@ -10,14 +10,14 @@
 
 namespace si::assimp {
 
-/// Limit of the bytes of each file that is read.
+/// Largest size in bytes of a file that is read.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 /// Folder of a model, with access to the regular files in it and below it. Never follows a link and never waits for a
 /// pipe or device. File names are relative paths, in which '\' counts as '/'.
 class ModelFolder {
 public:
-    /// @param descriptor of the folder; stays open while this object lives
+    /// @param descriptor open descriptor of the folder; must stay open while this object lives
     explicit ModelFolder(int descriptor) : descriptor_(descriptor) {}
     /// Returns true when the model's folder has a regular file of this name that can be opened.
     bool has(const std::string& name) const;

@@ -16,13 +16,13 @@ namespace si::assimp {
 /// Image of a texture as a PNG or JPEG file in memory.
 struct EncodedImage {
     std::vector<std::uint8_t> bytes;  ///< a PNG or JPEG file
-    bool masks = false;               ///< its alpha is below 255 somewhere, and the material uses it
+    bool masks = false;               ///< alpha is below 255 somewhere, and the material uses it as opacity
 };
 
 /// Reader of the texture images of a model, which lie in the model's file or below its folder.
 class Images {
 public:
-    /// @param scene model with embedded images; outlives this object @param folder outlives it too
+    /// @param scene model with embedded images @param folder folder of the model; both must outlive this object
     Images(const aiScene& scene, ModelFolder& folder) : scene_(scene), folder_(folder) {}
 
     /// Returns the colour image of a texture; nothing, with a reason, if it cannot be read. PNG and JPEG files stay

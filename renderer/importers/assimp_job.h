@@ -29,7 +29,7 @@ std::vector<std::uint8_t> assimp_request_bytes(const AssimpRequest& request);
 std::vector<std::uint8_t> assimp_work(std::span<const std::uint8_t> request,
                                       const std::function<void(double)>& progress, int folder);
 
-/// Row of the job, for run_foreign_job() and the table of jobs.
+/// Job that reads a model with Assimp in a child process; row of foreign_jobs().
 inline constexpr ForeignJob kAssimpJob{"assimp", "the model reader (Assimp)", assimp_work};
 
 }  // namespace si

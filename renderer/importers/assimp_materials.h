@@ -13,7 +13,8 @@
 
 namespace si::assimp {
 
-/// Writer of the materials of an Assimp model into a GLB. Materials that use a texture alike share it.
+/// Writer of the materials of an Assimp model into a GLB. Materials that use an image in the same way share one
+/// texture.
 class Materials {
 public:
     /// @param notes receives a sentence for each texture that cannot be read
@@ -35,11 +36,11 @@ private:
         int texture = -1;  ///< -1: none
         bool masks = false;
     };
-    /// Returns the first texture of a material with one of the given texture types, in their order; none: its path is
-    /// empty.
+    /// Returns the first texture of a material with one of the given texture types, tried in order. The path is empty
+    /// if the material has no such texture.
     static Named named(const aiMaterial& material, std::initializer_list<aiTextureType> types);
-    /// Writes a texture with its image and sampler into the GLB, once for equal arguments. Notes an image that cannot
-    /// be read.
+    /// Writes a texture with its image and sampler into the GLB; later calls with equal arguments return the same
+    /// texture. Adds a note for an image that cannot be read.
     /// @param opacity_path image whose opacity becomes the alpha of the texture; empty: none
     /// @param material_name for the note
     Written texture(const Named& colour, const std::string& opacity_path, const std::string& material_name);

@@ -15,8 +15,8 @@ namespace si::assimp {
 /// Facts about a model file that the conversion to a GLB needs besides Assimp's scene.
 struct Source {
     std::string label;               ///< name of the format: "OBJ"
-    std::string extension;           ///< of the model's file, lower case, with the dot
-    ModelFolder& folder;             ///< where textures are
+    std::string extension;           ///< extension of the model's file, lower case, with the dot
+    ModelFolder& folder;             ///< folder of the model, with its textures
     std::vector<std::string> notes;  ///< remarks from reading, for people
 };
 

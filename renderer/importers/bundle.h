@@ -10,7 +10,7 @@ namespace si {
 
 /// Loads the scene of a bundle (an engine's frame as files, docs/bundle.md): a folder, its frame.json, or a zip file.
 /// The scene's suggested settings read the bundle's shadow maps (map.bundle) and place its lights. The bundle's camera
-/// is the scene's first. Warnings name everything that is unknown about the engine's shadow look-up.
+/// becomes the first camera of the scene. Warnings name everything that is unknown about the engine's shadow look-up.
 /// @throws Error naming file, place and fix
 Scene load_bundle(const std::filesystem::path& path, const GltfOptions& options);
 

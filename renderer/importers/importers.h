@@ -31,7 +31,7 @@ std::string importer_labels();
 /// Returns the extensions of the most common scene files, and a note on others: ".gltf, .glb, .obj, others by Assimp".
 std::string importer_extensions();
 
-/// Kind of a file that holds a frame of another engine, or a part of one.
+/// Kind of a file from another engine: the capture of a frame, or the image of a shadow map.
 enum class FrameFileKind { Capture, MapImage };
 
 /// Kind of file with another engine's frame, such as a RenderDoc capture, which a command converts to a bundle before
