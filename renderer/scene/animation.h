@@ -40,7 +40,7 @@ struct NodeRestPose {
     bool has_trs = true;  ///< false: Node::local is a matrix that no channel may change
     glm::dvec3 translation{0}, scale{1};
     glm::dquat rotation{1, 0, 0, 0};
-    std::vector<float> weights;  ///< of the morph targets of its mesh
+    std::vector<float> weights;  ///< weights of the morph targets of the node's mesh
 };
 
 /// Animations of a scene and the rest pose of its nodes. Nodes, cameras and lights are indexed as in Scene.
@@ -82,7 +82,7 @@ struct Deformer {
     std::shared_ptr<const DeformSource> source;
     std::shared_ptr<const Skin> skin;  ///< null: only morphed
     int node = 0;                      ///< node whose morph weights apply
-    int placement = -1;                ///< with a skin: root node that places the object; it moves with the first joint
+    int placement = -1;                ///< node of a skinned object: a root that follows the first joint; -1: no skin
 };
 
 /// Poses a scene at a time of one of its animations. Updates node transforms, deformed vertices, bounds, cameras,
@@ -92,8 +92,9 @@ struct Deformer {
 /// @throws Error when there is no such animation
 void pose(Scene& scene, int animation, double time_s);
 
-/// Poses nodes and vertices of a scene as pose() does, but leaves bounds and id alone. For loaders, which call
-/// finalise() next. @param animation index; -1: the rest pose @throws Error when there is no such animation
+/// Poses nodes, deformed vertices, cameras and lights of a scene, but does not update its bounds and id. For loaders,
+/// which call finalise() afterwards. @param animation index; -1: the rest pose @throws Error when there is no such
+/// animation
 void apply_pose(Scene& scene, int animation, double time_s);
 
 /// Computes the bounds of a scene over a whole animation, for light fits that must not change with the pose. Sets
@@ -107,8 +108,8 @@ void measure_animation_bounds(Scene& scene, int animation);
 /// caching the static casters may save time. @param animation index; -1: none
 bool is_animated(const Scene& scene, int animation);
 
-/// Interpolates an animation channel at a time in seconds. Returns AnimationChannel::width numbers; a rotation is a
-/// normalised quaternion, x y z w.
+/// Interpolates an animation channel at a time in seconds, clamped to the first and last key. Returns
+/// AnimationChannel::width numbers; a rotation is a normalised quaternion, x y z w.
 std::vector<float> sample_channel(const AnimationChannel& channel, double time_s);
 
 }  // namespace si

@@ -20,13 +20,13 @@ UpAxis up_axis_of(const glm::dmat3& rotation);
 std::string up_axis_key(UpAxis up);
 
 /// Turns and scales a loaded scene to the up axis and unit that the user has chosen for its file. Skins, animations,
-/// cameras and lights follow. Scene::file_up and Scene::file_unit_m state what the loader has applied before, and are
-/// updated. Call before finalise().
+/// cameras and lights follow. Scene::file_up and Scene::file_unit_m are the axis and unit that the loader has applied,
+/// and are updated. Call before finalise().
 void apply_file_choices(Scene& scene, const FileChoices& choices);
 
 /// Transforms a loaded scene, with its cameras and lights, from the space of its file to metres, y up, right-handed. A
-/// mirrored space keeps cameras unmirrored. Unless the transform is the identity, animations are dropped with a
-/// warning. Call before finalise().
+/// mirroring transform does not mirror cameras and lights. Unless the transform is the identity, animations are dropped
+/// with a warning. Call before finalise().
 /// @param world transform from file to scene
 void apply_world(Scene& scene, const glm::dmat4& world);
 

@@ -16,13 +16,13 @@ struct Cluster {
     double lowest = 0, highest = 0;  ///< extent of the triangles' corners along the axis
 };
 
-/// Side of its triangles that a whole cluster turns to a viewer; Either: it cannot be told.
+/// Side that all triangles of a cluster turn to a viewer; Either: unknown, or not the same for all.
 enum class VisibleSide { Either, Front, Back };
 
 /// Returns the side, front or back, that all triangles of a cluster turn to a viewer or light. Returns
 /// VisibleSide::Either when the normal cone cannot tell. Used to skip clusters as a whole.
-/// @param from the viewer or light in the mesh's space: its position with w of 1, or the direction towards it with w of
-/// 0, of any length
+/// @param from position of the viewer or light in the mesh's space, with w of 1; or the direction towards it, of any
+/// length, with w of 0
 VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from);
 
 /// Splits a mesh into clusters of neighbouring triangles, for visibility tests. Small meshes give one cluster, large

@@ -13,9 +13,9 @@ namespace si {
 /// A flat vertex attribute then gives each fragment its face normal.
 struct FlatNormalMesh {
     std::vector<std::uint32_t> indices;  ///< the mesh's triangles in order, corners rotated but not mirrored
-    std::vector<std::uint32_t> copies;   ///< vertices to append to the mesh's own, as copies of these
-    /// Face normal by vertex, copies included: unit, by winding, in the mesh's space. 0 where no triangle reads it or
-    /// the triangle has no area.
+    std::vector<std::uint32_t> copies;   ///< indices of vertices to duplicate at the end of the mesh's vertex arrays
+    /// Unit face normal of each vertex, including the copies, in the mesh's space; the winding decides its side. 0
+    /// where no triangle reads the normal or the triangle has no area.
     std::vector<glm::vec3> normals;
 };
 

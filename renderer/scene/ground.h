@@ -6,7 +6,7 @@
 namespace si {
 
 /// Returns true when a scene has its own floor to receive shadows, so that it needs no ground disc. Such a scene is a
-/// landscape, or has level surfaces without a roof at its bottom, over most of its width.
+/// landscape, or has level surfaces without a roof at its bottom, on at least half of its ground plan.
 bool has_level_surface(const Scene& scene);
 
 /// Adds a ground disc under the scene in its present pose, wide enough for shadows of a light 45 degrees up. The disc

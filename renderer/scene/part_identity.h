@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Returns the material of a mesh, or the default material.
+/// Returns the material of a mesh, or the default material if the mesh has none.
 inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
     static const Material kDefault;
     return mesh.material >= 0 ? scene.materials[std::size_t(mesh.material)] : kDefault;
@@ -26,7 +26,7 @@ public:
         rigid_ = true;
     }
 
-    /// Returns true when `mesh` shares all arrays with the remembered mesh and has an equal material. Never for a
+    /// Returns true when `mesh` shares all arrays with the remembered mesh and has an equal material; false for a
     /// deformed mesh.
     bool is(const Scene& scene, const Mesh& mesh) const {
         bool shared = rigid_ && !mesh.deformer && mesh_.indices.shares_storage_with(mesh.indices);

@@ -8,12 +8,13 @@
 
 namespace si {
 
-/// Cache of one value per mesh of a scene. A value stays while the mesh's arrays stay the same, also in another scene
-/// state.
+/// Cache of one value per mesh of a scene. A value is kept while the mesh's arrays and material stay the same, also
+/// when another state of the scene is drawn.
 template <typename T>
 class PerMeshCache {
 public:
-    /// Returns the cached data of a mesh. The data is reset when the mesh's content or the scene has changed.
+    /// Returns the cached data of a mesh. Resets the data if the mesh's arrays or material have changed; for a deformed
+    /// mesh, whenever Scene::id has changed. @param mesh index in Scene::meshes
     T& of(const Scene& scene, std::size_t mesh) {
         if (scene_ != scene.id) {
             scene_ = scene.id;

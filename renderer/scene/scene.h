@@ -142,7 +142,7 @@ void split_vertices(Mesh& mesh);
 struct Node {
     std::string name;
     std::string path;  ///< unique, "Parent/Child"; set by finalise()
-    int parent = -1;   ///< always smaller than the node's own index
+    int parent = -1;   ///< always smaller than the node's own index; -1: root node
     glm::dmat4 local{1.0};
     glm::dmat4 world{1.0};  ///< set by finalise()
 };
@@ -172,7 +172,7 @@ struct SceneCamera {
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     bool orthographic = false;
     double fov_y_deg = 45;
-    double height = 10;        ///< of an orthographic view, metres
+    double height = 10;        ///< height of an orthographic view, metres
     double near = 0, far = 0;  ///< metres; 0: automatic
 };
 
@@ -194,7 +194,7 @@ struct Scene {
     std::string name;                      ///< key of the built-in scene, or the file's path
     std::string about;                     ///< description in a sentence
     std::vector<std::string> file_scenes;  ///< names (or "") of all scenes in the scene's file
-    int file_scene = 0;                    ///< index of this scene among them
+    int file_scene = 0;                    ///< index of this scene in `file_scenes`
     UpAxis file_up = UpAxis::Y;            ///< axis of the file that its loader has turned upwards
     double file_unit_m = 1;                ///< metres per unit of the file, which its loader has applied
     std::vector<StampedFile> files;  ///< the scene's file, and the buffers and images that it names; empty: built in
@@ -212,21 +212,21 @@ struct Scene {
     std::vector<std::string> warnings;  ///< data of the file that was dropped or approximated, and the reason
     /// Parts of the file that an export of the scene lacks, one sentence each.
     std::vector<std::string> not_written;
-    std::string far_objects;  ///< far_objects_text() of a file's scene; empty: nothing lies far off
-    bool looks_z_up = false;  ///< looks_z_up() of a file's scene
+    std::string far_objects;  ///< far_objects_text() of a file's scene; empty: no object is far from the rest
+    bool looks_z_up = false;  ///< looks_z_up() of a file's scene: its z axis probably points up
     Bounds bounds;            ///< world, with hidden objects, without the ground; set by finalise()
-    Bounds main_part;      ///< without what lies far off, before `placement`; empty: nothing does. See set_main_part()
-    Bounds ground_bounds;  ///< world, of the ground disc; empty: none. Set by finalise()
-    Bounds bounds_without_floor;     ///< world, without the file's floor (unless it is all there is). Set by finalise()
-    bool has_floor = false;          ///< the file has its own floor and needs no ground disc: see add_ground()
-    std::vector<glm::dvec3> framed;  ///< extreme_points() of a file's scene in its first pose; empty: not computed
-    Bounds framed_bounds;            ///< main_bounds() in that pose, before `placement`
-    Bounds animation_bounds;         ///< `bounds` over an animation, before `placement`; empty: not computed
-    int animation_bounds_of = -1;    ///< index of that animation; -1: none. See measure_animation_bounds()
-    std::uint64_t id = 0;            ///< unique per finalise() in this process; part of cache keys
+    Bounds main_part;      ///< without far-off parts, before `placement`; empty: none is far off. See set_main_part()
+    Bounds ground_bounds;  ///< world, of the ground disc; empty: no disc. Set by finalise()
+    Bounds bounds_without_floor;        ///< world, of objects_without_floor(); set by finalise()
+    bool has_floor = false;             ///< the file has its own floor and needs no ground disc: see add_ground()
+    std::vector<glm::dvec3> framed;     ///< extreme_points() of a file's scene in its first pose; empty: not computed
+    Bounds framed_bounds;               ///< main_bounds() in the pose of `framed`, before `placement`
+    Bounds animation_bounds;            ///< `bounds` over a whole animation, before `placement`; empty: not computed
+    int animation_bounds_of = -1;       ///< animation of `animation_bounds`; -1: none. See measure_animation_bounds()
+    std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate triangles that finalise() removed
     std::shared_ptr<const Rig> rig;     ///< animations; null: none
-    TrackedMemory held;                 ///< bytes of nodes and objects, which copies do not share; set by finalise()
+    TrackedMemory held;                 ///< memory of nodes and objects, for the memory report; set by finalise()
 
     /// Returns the number of visible (not hidden) objects in the scene, without the ground disc.
     std::size_t object_count() const;
@@ -254,15 +254,15 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths);
 /// `settings` do not name the object.
 const ObjectSettings& object_settings(const Scene& scene, const Settings& settings, const Object& object);
 
-/// Returns true when a transform nearly keeps angles, so that it is safe to transform normals and rays in single
-/// precision.
+/// Returns true when the condition number of a transform is small, so that normals and rays can be transformed in
+/// single precision.
 bool is_well_conditioned(const glm::dmat3& m);
 
 /// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);
 
 /// Returns the objects of a scene without its ground disc and floors, which are thin, low objects nearly as wide as
-/// main_bounds(). Includes hidden objects. Returns all objects but the ground disc when nothing else remains.
+/// main_bounds(). Includes hidden objects. If the scene has only floors, returns all objects but the ground disc.
 std::vector<const Object*> objects_without_floor(const Scene& scene);
 
 /// Places a scene in the world: transforms its objects, cameras and lights from the coordinates of its file by

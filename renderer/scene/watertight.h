@@ -9,15 +9,15 @@
 
 namespace si {
 
-/// Largest gap between vertices along a seam that counts as closed, as a share of the mesh's size: the float rounding
-/// of sines and cosines of a full turn.
+/// Largest gap at a seam that still counts as closed, as a share of the diagonal of the mesh's bounds. It allows for
+/// the float rounding of sines and cosines of a full turn.
 inline constexpr double kSeamToleranceShare = 1e-6;
 
 /// Result of the test whether a mesh is watertight, with the pairs of vertices to weld for drawing.
 struct WatertightCheck {
     bool closed = false;
-    /// Pairs (vertex, position's vertex): the first is drawn at the position of the second, which closes seams that
-    /// rounding left open. Empty where the mesh is not closed.
+    /// Pairs of vertex indices: the first vertex is drawn at the position of the second, which closes seams that
+    /// rounding left open. Empty if the mesh is not closed.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
 };
 

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Joint angles of a wooden figure in degrees. Positive bends forward (hip, shoulder), backward (knee) or upward
+/// Joint angles of a wooden figure in degrees. Positive angles bend forward (hip, shoulder), backward (knee) or upward
 /// (elbow).
 struct Pose {
     double lean = 0, twist = 0, head_turn = 0, head_nod = 0;

@@ -19,17 +19,17 @@ struct HardCase {
     std::string_view key;      ///< "grazing": scene and preset are "hard/grazing", with the fix "hard/grazing-fixed"
     std::string_view title;    ///< a few words
     std::string_view fault;    ///< artefact and its cause, a sentence
-    std::string_view fix;      ///< fix, a sentence
+    std::string_view fix;      ///< change that removes the fault, a sentence
     std::string_view measure;  ///< quantity measured with the fix in force; less is better
     double limit = 0;          ///< largest allowed value of the measure
     std::string_view unit;
     std::string_view limit_reason;   ///< reason of the limit
     std::string_view fault_measure;  ///< quantity that shows the fault without the fix
-    double min_fault = 0;            ///< least value of that quantity; below it the case proves nothing
+    double min_fault = 0;            ///< least value of `fault_measure`; below it the case proves nothing
     Scene (*make)() = nullptr;
-    std::string_view view;    ///< settings of both presets: "KEY=VALUE KEY=VALUE"
-    std::string_view broken;  ///< further settings that show the fault; empty: no setting does
-    std::string_view fixed;   ///< further settings of the fix
+    std::string_view view;    ///< common settings with and without the fix: "KEY=VALUE KEY=VALUE"
+    std::string_view broken;  ///< further settings without the fix, which show the fault; empty: no setting shows it
+    std::string_view fixed;   ///< further settings with the fix
 };
 
 /// Returns the table of hard cases (situations in which shadow maps break), in order of their numbers, which have no

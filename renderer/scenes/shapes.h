@@ -93,7 +93,8 @@ void add_camera(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target, d
 
 /// Makes an empty scene, to be filled by add_shape() and others. @param about description in a sentence
 Scene named_scene(std::string name, std::string about);
-/// Returns a scene after finalise(). @param suggested suggested settings (key, value)
+/// Sets the suggested settings of a scene, completes it by finalise() and set_main_part(), and returns it.
+/// @param suggested pairs of setting key and value
 Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> suggested = {});
 /// Pseudo-random generator for built-in scenes, with the same numbers on every machine (O'Neill, PCG, 2014: RXS M XS
 /// 32/32).

@@ -5,9 +5,9 @@
 
 namespace si {
 
-inline constexpr double kTerrainSize_m = 2048;   ///< side of the square, centred on the origin
-inline constexpr double kWaterLevel_m = -9;      ///< of the lake
-inline constexpr double kVillageRadius_m = 150;  ///< level ground around the origin
+inline constexpr double kTerrainSize_m = 2048;   ///< side of the square terrain, centred on the origin
+inline constexpr double kWaterLevel_m = -9;      ///< height of the lake's surface, as terrain_height() measures it
+inline constexpr double kVillageRadius_m = 150;  ///< radius of the level ground around the origin
 
 /// Returns the height of the landscape scene's terrain at (x, z), in metres above the village.
 double terrain_height(double x, double z);
