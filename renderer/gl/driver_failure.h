@@ -29,11 +29,11 @@ enum class DriverFailure { Memory, Shader, Context };
 
 /// Driver failures that a test injects into all OpenGL contexts of the process. By default none.
 struct FaultInjection {
-    /// Called at each OpenGL call that may fail in this way; true makes the call fail.
+    /// Callback for each OpenGL call that may fail with this kind of failure; returning true makes the call fail.
     std::function<bool(DriverFailure, std::string_view what)> fails;
-    /// Called with each image before it is searched for NaN and infinity, so that a test can write some.
+    /// Callback for each image before it is searched for NaN and infinity, so that a test can write such values.
     std::function<void(std::string_view label, GLuint texture)> corrupt_image;
-    /// Limit of cached programs from frame to frame; 0: the usual one.
+    /// Limit of programs that stay cached after a frame; 0: ProgramCache::kMaxPrograms.
     std::size_t max_programs = 0;
 };
 /// Returns the driver failures that are injected in the whole process; tests assign the members.
@@ -50,8 +50,8 @@ bool is_injected_failure(DriverFailure kind, std::string_view what);
 /// @param usage as for glNamedBufferData()
 /// @throws OutOfMemory, ContextLost
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
-/// Replaces a buffer's contents by an array; an empty array gives room for one element, as OpenGL has no empty buffers.
-/// @throws OutOfMemory
+/// Replaces a buffer's contents by an array. For an empty array, allocates one undefined element, as OpenGL has no
+/// empty buffers. @throws OutOfMemory, ContextLost
 template <typename T>
 void fill_buffer(Buffer& buffer, std::string_view label, const std::vector<T>& data, GLenum usage) {
     fill_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),

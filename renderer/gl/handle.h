@@ -39,7 +39,7 @@ public:
     }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
-    /// Returns the OpenGL name; 0: none.
+    /// Returns the OpenGL name of the owned object; 0: none.
     GLuint id() const { return id_; }
     explicit operator bool() const { return id_ != 0; }
     /// Deletes the OpenGL object now.
@@ -47,7 +47,8 @@ public:
         if (id_) Traits::destroy(std::exchange(id_, 0));
         held_.drop();
     }
-    /// Counts `bytes` of driver memory for this object in the memory report. @param holder see TrackedMemory
+    /// Counts `bytes` of driver memory for this object in the memory report. @param holder name in the report, see
+    /// TrackedMemory
     void track_memory(std::string_view holder, std::uint64_t bytes) { held_ = TrackedMemory(holder, bytes); }
 
 private:
@@ -55,8 +56,8 @@ private:
     TrackedMemory held_;
 };
 
-/// Creation and deletion of OpenGL objects by the functions that take a count and names, for Handle. `Identifier`: the
-/// object's kind for labels; arguments of create() stand before the count, as in glCreateTextures.
+/// Creation and deletion of OpenGL objects by the functions that take a count and names, for Handle. `Identifier` is
+/// the object's kind for labels. Arguments of create() precede the count, as in glCreateTextures.
 template <GLenum Identifier, auto& Create, auto& Delete>
 struct ObjectTraits {
     static constexpr GLenum kIdentifier = Identifier;
@@ -83,8 +84,8 @@ using Sampler = Handle<ObjectTraits<GL_SAMPLER, glCreateSamplers, glDeleteSample
 using Program = Handle<ProgramTraits>;
 using Query = Handle<ObjectTraits<GL_QUERY, glCreateQueries, glDeleteQueries>>;
 
-/// Enables a float attribute of a vertex array. @param size numbers in it @param offset bytes within a vertex
-/// @param type GL_UNSIGNED_BYTE: bytes, which count as 0 to 1
+/// Enables a float attribute of a vertex array. @param size number of components @param offset bytes within a vertex
+/// @param type GL_FLOAT; GL_UNSIGNED_BYTE: bytes, normalised to [0, 1]
 inline void enable_attribute(const VertexArray& vao, GLuint location, GLuint binding, GLint size, GLuint offset = 0,
                              GLenum type = GL_FLOAT) {
     glEnableVertexArrayAttrib(vao.id(), location);

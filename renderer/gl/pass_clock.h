@@ -26,27 +26,28 @@ std::string_view name(ClockKind kind);
 /// Stopwatch for render passes of the current OpenGL context, used on one thread.
 class PassClock {
 public:
-    /// Draws a known pass, and chooses how later passes are timed (ClockKind): Processor on a CPU rasteriser. Elsewhere
-    /// Queries if they report 0.5 to 2 times the known pass's wall time, otherwise Wall.
+    /// Draws a known pass to choose the kind of clock. A CPU rasteriser gets Processor. Otherwise Queries is chosen if
+    /// the query time of the pass is 0.5 to 2 times its wall time, else Wall.
     /// @param cpu_rasteriser true: the driver draws on the CPU
     explicit PassClock(bool cpu_rasteriser);
     /// Returns the way in which passes are timed.
     ClockKind kind() const { return kind_; }
-    /// Returns query time over wall time of the calibration pass.
+    /// Returns the timer-query time divided by the wall time, measured for the pass that the constructor draws.
     double query_share() const { return query_share_; }
 
     /// Starts timing a render pass; end() stops it.
     void begin();
-    /// Stops timing the render pass begun last. Returns the number under which milliseconds() gives the pass's time.
+    /// Stops timing the render pass begun last. Returns the pass's slot, by which milliseconds() gives its time.
     std::size_t end();
     /// Returns the measured time of a render pass in milliseconds, by the clock's kind. Waits for the GPU when timer
     /// queries are used.
-    /// @param slot number that end() returned
+    /// @param slot slot that end() returned
     double milliseconds(std::size_t slot);
-    /// Returns the elapsed time of a pass in milliseconds, up to its last pixel; 0 when queries are used.
-    /// @param slot the slot that end() returned
+    /// Returns the elapsed time of a render pass in milliseconds, until the GPU has finished it; 0 when queries are
+    /// used.
+    /// @param slot slot that end() returned
     double wall_ms(std::size_t slot) const { return slots_[slot].wall_ms; }
-    /// Makes all measured slots reusable. Call before the first pass of a frame.
+    /// Discards the times of all timed passes. Call before the first pass of a frame.
     void reset() { used_ = 0; }
 
 private:

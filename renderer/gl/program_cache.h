@@ -17,9 +17,9 @@ struct Define {
 
 /// Description of an OpenGL program to compile: source files, includes and defines. Used as key of the ProgramCache.
 struct ProgramRequest {
-    std::string_view vertex, fragment;  ///< below shaders/
+    std::string_view vertex, fragment;  ///< paths below shaders/
     IncludeNames includes;
-    std::vector<Define> defines;  ///< those that the sources do not mention are ignored
+    std::vector<Define> defines;  ///< names that the sources do not mention are ignored
     std::string preamble;         ///< text after the defines, e.g. a uniform block made from the settings table
 };
 
@@ -39,7 +39,7 @@ public:
     GLuint get(const ProgramRequest& request);
     /// Returns the GLSL sources that programs are compiled from.
     ShaderSource& source() { return source_; }
-    /// Returns the log of the last failed compilation.
+    /// Returns the error text of the last compilation; empty if it succeeded.
     const std::string& log() const { return log_; }
     /// Returns the number of programs in the cache.
     std::size_t size() const { return programs_.size(); }

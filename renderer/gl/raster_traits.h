@@ -20,8 +20,8 @@ struct PolygonOffset {
     bool measured = false;
     /// r = unit_depth + unit_steps x the format's step at the depth; one of the two is 0.
     double unit_depth = 0, unit_steps = 1;
-    bool slope_is_length = false;  ///< m is the length of the slope; else its larger component
-    double slope_gain = 1;         ///< m over that length or component
+    bool slope_is_length = false;  ///< true: m follows the length of the slope; false: its larger component
+    double slope_gain = 1;         ///< m divided by the length or larger component of the slope
 
     /// Returns the depth shift of units = 1 at a depth where the format's step is `quantum`.
     double unit(double quantum) const { return unit_depth + unit_steps * quantum; }

@@ -10,7 +10,7 @@
 
 namespace si::gl {
 
-/// Files by name in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
+/// Map from a name in `#include NAME` to the included file, e.g. FILTER_FILE -> "filters/pcf.glsl".
 using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
 /// Registers a GLSL text under a path below shaders/, for techniques that are not built in. Every ShaderSource created
@@ -32,8 +32,8 @@ public:
     std::string expand(std::string_view path, const IncludeNames& names, std::vector<std::string>& files) const;
     /// Returns a counter that grows whenever poll() finds a saved file. Constant when nothing is watched.
     std::uint64_t generation() const { return generation_; }
-    /// Reads GLSL files again that were saved since the last call (development builds). Returns true when there were
-    /// any.
+    /// Reads again the GLSL files that were saved since the last call (development builds). Returns true if any was
+    /// read.
     bool poll();
 
     /// Returns the source tree whose shader files development builds watch; empty in other builds.

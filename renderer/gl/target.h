@@ -38,7 +38,8 @@ struct Target {
                 const TargetExtent& more = {});
 };
 
-/// Counts the bytes of a texture's images in the memory report, by its format and size. @param holder see TrackedMemory
+/// Counts the bytes of a texture's images in the memory report, by its format and size. @param holder name in the
+/// report, see TrackedMemory
 void track_image_memory(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
 
 /// Creates a framebuffer with at most one colour and one depth attachment.

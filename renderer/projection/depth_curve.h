@@ -21,7 +21,7 @@ struct DepthConvention {
 /// (1 + rise v) to middle_m + far_m / (1 + rise v), metres along the axis. Depth is linear along each ray.
 struct DepthWarp {
     double middle_m = 0, near_m = 0, far_m = 0;
-    double rise = 0;  ///< above -1
+    double rise = 0;  ///< relative growth of the divisor from v = 0 to v = 1; above -1
     bool operator==(const DepthWarp&) const = default;
 };
 

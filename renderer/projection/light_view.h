@@ -25,9 +25,9 @@ struct CrossSection {
 /// bias shadows this way, in the vertex shader of casters.
 struct CasterShift {
     double all_m = 0;      ///< metres at any angle
-    double grazing_m = 0;  ///< metres times 1 - |n . axis|, with the vertex's normal
+    double grazing_m = 0;  ///< metres times 1 - |n . axis|, where n is the vertex normal
     bool moves() const { return all_m != 0 || grazing_m != 0; }
-    /// Returns the metres at an angle between normal and axis.
+    /// Returns the shift of a vertex in metres. @param cosine of the angle between the vertex normal and the axis
     double metres(double cosine) const { return all_m + grazing_m * (1 - std::min(std::abs(cosine), 1.0)); }
     bool operator==(const CasterShift&) const = default;
 };
@@ -38,8 +38,8 @@ struct CasterShift {
 struct LightView {
     glm::dvec3 eye{0};     ///< world
     glm::dmat3 axes{1.0};  ///< columns right, up, back (the view looks along -back)
-    /// To clip space of curve.convention. In perspective w is the distance along the axis; for parallel rays w is 1 at
-    /// the eye.
+    /// Matrix from view space to the clip space of curve.convention. In perspective w is the distance along the axis;
+    /// for parallel rays w is 1 at the eye.
     glm::dmat4 projection{1.0};
     DepthCurve curve;          ///< depth range
     bool clamps_near = false;  ///< casters before the near plane are drawn on it (pancaking)
@@ -54,7 +54,8 @@ struct LightView {
     /// precision.
     /// @param origin world
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// Returns a world-space position in the light view's clip space. Equals the last column of clip_from_relative().
+    /// Returns a world-space position in the light view's clip space. Equals the last column of
+    /// clip_from_relative(point_ws).
     glm::dvec4 clip_position(const glm::dvec3& point_ws) const;
     /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
     /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.

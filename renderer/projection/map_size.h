@@ -20,7 +20,7 @@ struct MapSize {
     bool is_square() const { return width == height; }
     /// Returns width and height in texels.
     glm::ivec2 sides() const { return {width, height}; }
-    /// Returns both sides as factors from map coordinates to texels.
+    /// Returns width and height as factors that convert map coordinates in [0,1] to texels.
     glm::dvec2 texels() const { return {width, height}; }
     bool operator==(const MapSize&) const = default;
 };

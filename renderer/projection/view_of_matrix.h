@@ -7,10 +7,11 @@
 
 namespace si {
 
-/// Finds the light view of a shadow map from its view-projection matrix, such as an engine's. Place, axes, depth range
-/// and warp follow from the matrix alone: the eye is the point in which its rays meet, at infinity for parallel rays.
-/// Accepted are frusta off their axis, unequal width and height, mirrored maps, and a w that changes from row to row
-/// (LiSPSM). A far plane at infinity is accepted too, and then lies at 1e8 times the near plane.
+/// Finds the light view of a shadow map from its view-projection matrix, such as an engine's. Eye, axes, depth range
+/// and warp follow from the matrix alone. In perspective the eye is the point where the rays meet. For parallel rays it
+/// lies before the near plane, by the length of the depth range.
+/// Accepts off-axis frusta, unequal width and height, mirrored maps, and a w that changes from row to row (LiSPSM).
+/// Accepts a far plane at infinity too, and puts it at 1e8 times the near plane.
 /// @param clip_from_world view-projection matrix, or a positive multiple of it; w is above 0 in the map
 /// @param convention depth convention of the matrix
 /// @throws Error if the matrix is not finite or not invertible, if a corner of its depth range lies behind the light,

@@ -56,7 +56,8 @@ public:
     /// @param face index of a cube face or cascade; 0 for a single map
     /// @throws Error when the frame has no such map, holds only parts (FrameResult::maps_are_whole), or was overwritten
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
-    /// Reads back the depth image that a frame's map viewer shows: stored depths in [0, 1], top row first.
+    /// Reads back the image that a frame's map viewer shows, top row first: stored depths in [0, 1], or one channel of
+    /// the kernel's moments (FrameResult::shown_map).
     /// @throws Error when the frame has no such image, holds only parts, or was overwritten
     FloatImage read_map_view_depth(const FrameResult& frame);
     /// Returns the invalid numbers (NaN, infinite, out of range) found in a frame with Outputs::health; null while the
@@ -74,14 +75,14 @@ public:
     const DriverInfo& driver() const;
     /// Returns the driver's errors and high-severity messages since the last call, and clears them.
     std::vector<std::string> take_gl_messages();
-    /// Gives memory back to the operating system that the driver and the heap hold but no result uses. Takes some
-    /// milliseconds: call while nothing is drawn.
+    /// Gives unused memory of the driver and the heap back to the operating system. Takes some milliseconds: call while
+    /// nothing is drawn.
     void release_unused_memory();
-    /// Returns the error of the last failed shader compilation; empty when all compiled. Development builds compile
-    /// shader files again when they are saved.
+    /// Returns the error of the last shader compilation; empty if it succeeded. Development builds compile shader files
+    /// again when they are saved.
     std::string shader_log() const;
-    /// Reads shader files again that were saved since the last call (development builds). Returns true when there were
-    /// any: the picture must be drawn again.
+    /// Reads again the shader files that were saved since the last call (development builds). Returns true if any was
+    /// read: the picture must be drawn again.
     bool reload_changed_shaders();
 
 private:

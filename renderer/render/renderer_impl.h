@@ -30,7 +30,7 @@ struct RendererImpl {
     /// Limit on the map resolution after the driver ran out of memory. Valid while the setting map.resolution keeps the
     /// value at which memory ran out.
     struct ReducedResolution {
-        int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
+        int requested = 0, max = 0;  ///< map.resolution when memory ran out; largest resolution to try
         std::string why;
     };
     std::optional<ReducedResolution> reduced_resolution;
@@ -52,8 +52,9 @@ struct RendererImpl {
     /// @param f frame that failed
     /// @param why message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
-    /// Derives all values that the passes of a frame read: repaired settings, camera, fitted lights, needs of its
-    /// outputs. Draws nothing except the visible depths, where a fit by light.depth_bounds sdsm needs them.
+    /// Derives all values that the passes of a frame read: repaired settings, camera, fitted lights, and the results
+    /// that its outputs need. Draws nothing except the visible depths, where a fit by light.depth_bounds sdsm needs
+    /// them.
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Derives the values of a frame like prepare_frame(), but measures nothing: uses the visible depths of an earlier
     /// measurement.
