@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Draws the histogram of depths of the image in the map viewer. In it the mouse drags the two depths shown as black
-/// and white. When the viewer colours the image by three bands of depth, the mouse drags the two limits between bands.
+/// Draws the histogram of depths of the image in the map viewer. The user can drag the two depths that are shown as
+/// black and white, or in the view by three bands of depth the two limits between bands.
 /// @param size size of the plot in pixels, from the ImGui cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Returns the colour with which the map viewer shows a depth, as shaders/lib/map_colours.glsl computes it.
+/// Returns the colour (RGB, 0 to 1) with which the map viewer shows a depth, as in shaders/lib/map_colours.glsl.
 /// @param colours grey, Turbo or Viridis @param t place in the shown range of depths, 0 to 1; clamped
 glm::vec3 map_ramp_colour(MapColours colours, double t);
 

@@ -30,7 +30,7 @@ struct MapRect {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }
     /// Returns the upper left and the lower right corner of a texel of the map on the screen, pixels.
-    /// @param texel from the lower left
+    /// @param texel column and row of the texel, from the lower left
     std::pair<ImVec2, ImVec2> square(glm::ivec2 texel) const;
 };
 
@@ -51,12 +51,12 @@ bool fits_texel_values(const MapRect& rect);
 /// @param lines both ends of each segment in map coordinates, 0..1, v up
 void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
 
-/// Formats the map viewer's text about one texel. The first line names the texel and the pixels that read it. The
-/// second gives its depth in metres, as stored, and as a share between the planes.
+/// Formats the map viewer's text about one texel. The first line gives the texel and the number of pixels that read it.
+/// The second gives its depth: in metres, as stored, and as a share of the range from near to far plane.
 /// @param texel the texel, y up, of a depth image of `size` texels
 /// @param values the stored depths, row 0 at the top; null or of another size: not read back yet
-/// @param shown the kind of image: for moments the text gives the moment, or in the linear view the depth with that
-/// moment; at a mip level `values` have that level's size
+/// @param shown the kind of image. For moments the second line gives the moment, or with `linear` the depth of a single
+/// surface that has this moment. At a mip level `values` have that level's size.
 /// @param usage texels that pixels read; null: not known @param frozen true: the readers are the frozen camera's pixels
 std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 size, const FloatImage* values,
                                                   const DepthCurve& curve, const TexelUsage* usage, bool frozen,

@@ -11,13 +11,14 @@
 
 namespace si {
 
-/// Request to find the clusters of wrong pixels in the shown picture whose errors have one cause, such as acne.
+/// Request to find clusters of wrong pixels in the shown picture: pixels whose shadow differs from the reference for
+/// one cause, such as acne.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
-    int number = 0;  ///< differs from that of every earlier request; 0: there was none
+    int number = 0;  ///< different for each request; 0: no request yet
 };
 
-/// Cluster of wrong pixels, with position and normal of the surface point at its middle.
+/// Cluster of wrong pixels, with world position (metres) and normal of the surface point at the cluster's middle.
 struct ArtefactSpot : ArtefactCluster {
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0, 1, 0};
@@ -46,17 +47,17 @@ struct ArtefactTour {
 struct EditorState;
 struct EditorFrame;
 
-/// Returns the cause of errors whose clusters of wrong pixels the tour visits: the cause that the user chose, else the
-/// most frequent one. Artefact::None if errors are not known, or no pixel is wrong.
+/// Returns the cause of error, such as acne, whose clusters of wrong pixels the tour visits: the user's choice, else
+/// the most frequent cause. Returns Artefact::None if errors are not known, or no pixel is wrong.
 Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame);
-/// Chooses the cause of errors that the tour of wrong pixels visits, and shows the artefact overlay. A second call with
-/// the same cause hides the overlay and clears the choice.
+/// Chooses the cause of error whose clusters of wrong pixels the tour visits, and shows the artefact overlay. A second
+/// call with the same cause hides the overlay and clears the choice.
 void toggle_tour_cause(EditorState& state, Artefact cause);
-/// Moves the camera to the next cluster of wrong pixels and probes its middle. If the clusters are not known yet,
-/// requests them for follow_artefact_tour().
+/// Moves the camera to the next cluster of wrong pixels and probes the pixel at the cluster's middle. If the clusters
+/// are not known yet, requests them; follow_artefact_tour() then moves the camera.
 void next_artefact(EditorState& state, const EditorFrame& frame);
 /// Moves the camera to the first cluster of wrong pixels once the clusters that next_artefact() requested are known.
-/// Call once a frame. Returns true while they are not known.
+/// Call once a frame. Returns true while the tour waits for the clusters.
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
 /// Formats the position in the tour of wrong pixels: "acne, 2 of 7: 153 pixels". Returns "looking for it" while the
 /// clusters of wrong pixels are not known, and an empty text when no cluster is shown.

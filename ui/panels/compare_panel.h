@@ -13,10 +13,11 @@ struct PresetEntry;
 struct PresetRequests;
 struct PresetsFacts;
 
-/// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned. Tried:
-/// PictureState::tried.
+/// Source of the settings that are compared with the present ones. Scene: the scene's own settings. Pinned: settings
+/// that the user pinned as A. Tried: settings that a search proposes.
 enum class CompareKind { Scene, Defaults, Preset, Pinned, Tried };
-/// Choice in the panel Compare: which settings it compares with the present ones. Holds no values of settings.
+/// Choice of the settings that are compared with the present ones, by source and name. ComparisonFacts has their
+/// values.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< key of a built-in preset or path, if kind is Preset
@@ -30,8 +31,7 @@ struct PinnedSettings {
     bool operator==(const PinnedSettings&) const = default;
 };
 
-/// Settings with which the present ones are compared (PictureState::compare), after the application has loaded them, or
-/// the reason why it could not.
+/// Loaded settings that are compared with the present ones (PictureState::compare), or the reason why loading failed.
 struct ComparisonFacts {
     CompareWith with;
     Settings settings;
@@ -39,14 +39,14 @@ struct ComparisonFacts {
     std::string problem;  ///< why there are no settings
 };
 
-/// Returns the name of the settings that the present ones are compared with: "the scene's own settings", or a preset's
-/// key or path.
+/// Returns the name of the settings that the present ones are compared with, such as "the scene's own settings" or
+/// "pinned A"; for a preset its key or path.
 std::string compared_settings_name(const CompareWith& with);
 /// Returns the name of the settings that the present ones are compared with, as the panel Compare shows it. It is a
 /// built-in preset's title, a file's name without folders, else compared_settings_name().
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets);
 
-/// Draws the panel Compare: a table of the settings in which the present settings and those of `other` differ.
+/// Draws the panel Compare: a table of the settings whose values differ between `settings` and `other`.
 /// @param compare choice of the settings to compare with, which the combo changes
 /// @param settings present settings; buttons replace one or all of them by the compared ones
 /// @param pinned the pinned settings; none: the combo does not offer them

@@ -11,7 +11,8 @@
 
 namespace si {
 
-/// Engine or graphics API for which the dialog Convert makes code: name of the option --to, and title.
+/// Engine or graphics API for which the dialog Convert makes code: its name for the command-line option --to, and
+/// title.
 struct ConvertTargetLabel {
     std::string_view name, title;
 };
@@ -36,7 +37,8 @@ struct ConvertDialog {
     double angle_deg = 45;  ///< reference angle between normal and light
 };
 
-/// Requests of the dialog Convert to the application: save the code, or measure the scene for its comments.
+/// Requests of the dialog Convert to the application: save the code, or measure the angle, error and time that comments
+/// in the code state.
 struct ConvertRequests {
     std::optional<std::string> save_conversion;  ///< path of the file to write
     bool replace_conversion = false;             ///< a file that exists may be replaced

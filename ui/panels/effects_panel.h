@@ -15,11 +15,11 @@ struct FrameTimes;
 struct Effect;
 struct SavedTimes;
 
-/// State of the panel Effects, with the optimisations that the user has switched off. They are no settings of a preset,
-/// since they change no picture.
+/// State of the panel Effects, with the optimisations that the user has switched off. A preset does not save them,
+/// since they do not change the picture.
 struct EffectsPanel {
     OptimisationSet forced;   ///< optimisations that are switched off
-    bool all_listed = false;  ///< lists also what nothing needs
+    bool all_listed = false;  ///< also lists effects that nothing needs
 };
 
 /// Data that the panel Effects shows: the effects (passes of the frame and their parts), and the time that each
@@ -27,8 +27,8 @@ struct EffectsPanel {
 struct EffectsFacts {
     std::span<const Effect> effects;                        ///< empty unless requested
     const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene
-    bool saved_times_current = false;                       ///< these times belong to the present settings and size
-    std::optional<SearchProgress> measuring_optimisations;  ///< under way
+    bool saved_times_current = false;                       ///< `saved` belongs to the present settings and size
+    std::optional<SearchProgress> measuring_optimisations;  ///< progress; none: nothing is being measured
 };
 
 /// Requests of the panel Effects to the application: list the effects of a frame, and measure the time that
@@ -39,8 +39,8 @@ struct EffectsRequests {
     bool cancel_measuring = false;     ///< cancel that measurement
 };
 
-/// Draws the panel Effects, which shows the work of a frame. It has a row for each effect (a pass or a part of one)
-/// with state, reason and cost, then the frame's sum.
+/// Draws the panel Effects: the summed cost of the frame, then a row for each effect (a pass or a part of one) with
+/// state, reason and cost.
 /// @param times times of the last frames @param result the last frame; null: none @param driver the driver; null: not
 /// known
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,

@@ -15,7 +15,8 @@ namespace si {
 struct FixTable;
 struct Trial;
 
-/// Request to search for fixes, which are changes of settings that put wrong pixels right.
+/// Request to search for fixes. A fix changes settings so that wrong pixels, whose shadow differs from the reference,
+/// become right.
 struct FixRequest {
     std::optional<glm::ivec2> pixel;  ///< pixel to put right; none: the whole picture
     bool first = false;               ///< stops at the first fix
@@ -31,8 +32,8 @@ struct FixSearch {
 
 /// Requests of the table of fixes to the application: search, cancel, drop the result, show or apply a fix.
 struct FixRequests {
-    std::optional<FixRequest> find_fixes;  ///< start a search: of a pixel, or of the picture
-    bool cancel_fixes = false;             ///< of the picture
+    std::optional<FixRequest> find_fixes;  ///< start a search for a pixel or for the picture
+    bool cancel_fixes = false;             ///< cancel the search for the picture
     bool forget_fixes = false;             ///< drop the last result of the picture
     bool cancel_pixel_fixes = false;
     bool forget_pixel_fixes = false;
@@ -59,8 +60,8 @@ void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::opti
 bool draw_fixes_table(const FixSearch& search, const Settings& settings, const Settings* tried, FixRequests& requests,
                       std::optional<glm::ivec2> pixel);
 
-/// Returns true if the settings shown for trial are the present ones with these changes. Lists of changes use it to
-/// mark the row that is shown for trial.
+/// Returns true if the settings shown for trial equal the present ones with `changes` applied. Lists of changes use
+/// this to mark the row that is shown for trial.
 /// @param settings present settings @param tried settings that are shown for trial; null: none
 /// @param changes pairs of setting key and value
 bool is_tried(const Settings& settings, const Settings* tried,

@@ -15,7 +15,7 @@ namespace si {
 
 struct Settings;
 
-/// Measured number, an error or a cost, that can be an axis of the frontier plot. Smaller values are better.
+/// Measured error or cost that can be an axis of the frontier plot (error over cost). Smaller values are better.
 struct MeasuredColumn {
     std::string key;
     std::string label;
@@ -24,14 +24,16 @@ struct MeasuredColumn {
     bool error = false;  ///< an error of the picture; else a cost
 };
 
-/// Dot of the frontier plot: a case of a sweep or the present settings, with its measured numbers.
+/// Dot of the frontier plot (error over cost): measured numbers of one case of a sweep (a combination of settings), or
+/// of the present settings.
 struct MeasuredCase {
     int number = -1;   ///< number in the sweep; -1: the present settings
     std::string name;  ///< "1024 · PCF 3×3"
     std::vector<std::pair<std::string, std::string>>
         settings;                            ///< varied settings, then starting values that they bring along
     std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one for each setting
-    /// Distance from the best value, one for each column, with the sign that was measured; NaN: not known.
+    /// Value of each column: distance from the best value, or an upper bound where noise hides the value. Signed
+    /// metrics keep their sign. NaN: not measured.
     std::vector<double> values;
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
@@ -42,14 +44,14 @@ struct FrontierView {
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
-        bool on = false;     ///< it lies on the frontier: no case is better in both
+        bool on = false;     ///< on the frontier: no case dominates it (dominates())
         bool tied = false;   ///< a better case exists, but within noise
         bool bound = false;  ///< the cost is an upper bound, below its noise
     };
     std::vector<Mark> marks;
     std::optional<Dot> present;  ///< SweepFacts::present
     std::optional<Dot> before;   ///< SweepFacts::before
-    FrontierPlot plot;           ///< the same as a drawing's data; PlotCase::of is Mark::of
+    FrontierPlot plot;           ///< the dots as data for drawing; PlotCase::of equals Mark::of
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
@@ -104,7 +106,7 @@ struct SweepPanel {
     std::string folder = "sweep";                  ///< folder that results are saved to and opened from
 };
 
-/// Request to run a sweep, which measures many combinations of settings. Holds the varied settings, picture size and
+/// Request for a sweep (a measurement of many combinations of settings): the varied settings, the picture size and the
 /// kind of timed frames.
 struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"

@@ -17,7 +17,7 @@ struct FrontierPlotResult {
 };
 
 /// Draws the plot of error over cost of a sweep's cases, with the table of best cases below it where there is room. The
-/// caller draws the names of the axes and the sentence on the knee. Returns the dots under the mouse.
+/// caller draws the names of the axes and the sentence of knee_sentence(). Returns the dots under the mouse.
 /// @param chosen number of the case that gets a ring; none: no ring @param size size in pixels, from the ImGui cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int> chosen, ImVec2 size);
 

@@ -14,7 +14,7 @@ struct Settings;
 
 /// Data that the panel Numbers shows: invalid numbers found in the frame, and memory of the process.
 struct HealthFacts {
-    const NumericHealth* health = nullptr;  ///< faulty numbers of the shown frame; null: not searched yet
+    const NumericHealth* health = nullptr;  ///< invalid numbers of the shown frame; null: not searched yet
     const MemoryReport* memory = nullptr;   ///< memory of the process; null: not sampled yet
 };
 

@@ -13,7 +13,7 @@
 namespace si {
 
 /// Step of an import, which converts a frame of another engine (a RenderDoc capture, or an image of a shadow map) to a
-/// bundle.
+/// bundle of scene, lights and maps.
 enum class ImportStep {
     Warning,   ///< the user is told once that opening a capture runs its shaders
     Light,     ///< the user names the light of an image of a map
@@ -22,8 +22,8 @@ enum class ImportStep {
     Writing,   ///< the bundle is written in the background
 };
 
-/// Choice that an import offers. It is a shadow map of a capture, or a way to read an image of a map (its depth
-/// convention).
+/// Choice that an import offers: a shadow map of a capture, or a depth convention by which an image of a map can be
+/// read.
 struct ImportChoice {
     int number = 0;      ///< number of the map in the capture, or row of the list of readings, from 1
     std::string text;    ///< the map, or the reading's convention

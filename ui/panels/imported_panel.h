@@ -11,7 +11,8 @@ namespace si {
 
 struct ComparedMap;
 
-/// Picture that the panel Imported shows.
+/// Picture that the panel Imported shows: the engine's imported shadow map, the map that this program draws with the
+/// same view, or their difference.
 enum class ImportedPicture { Imported, Drawn, Difference };
 
 /// Kinds of texels that the comparison of an engine's imported shadow map with the drawn map leaves out.
@@ -37,12 +38,12 @@ struct ImportedRequests {
 };
 
 /// Draws the panel Imported, which compares an engine's shadow map with the map that this program draws. It shows the
-/// engine's bias, the differences, their limits (the gate), and the casters that the engine's map lacks. Beside them
-/// stands a picture: the engine's map, the program's map, or the difference.
+/// engine's bias, the differences, their limits (the gate), and the casters that the engine's map lacks. A picture
+/// beside these shows the engine's map, the program's map, or the difference.
 /// @param picture choice of the picture, which the switch changes
 /// @param left_out texels that the comparison leaves out, which two switches change
 /// @param settings the settings, changed by the widgets of map.bundle_maps, map.bundle_bias and bias.*
-/// @param light the shown light as fitted; null: no frame, or no light
+/// @param light the shown light as fitted in the last frame; null: no frame, or no light
 /// @param bias what is known of the bias by which the engine drew the shown light's maps
 /// @param selected node path of a selected object, which is highlighted in the list
 void draw_imported(ImportedPicture& picture, ImportedLeftOut& left_out, Settings& settings, const FittedLight* light,

@@ -32,17 +32,17 @@ struct ImprovePanel : LimitFields {
 /// the search for waste (work that changes no byte of the picture).
 struct ImproveFacts {
     std::optional<SearchProgress> advising;      ///< under way
-    const AdviceReport* advice = nullptr;        ///< last result for this scene, also while it runs, if of advice
-    const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
+    const AdviceReport* advice = nullptr;        ///< result for this scene, so far or final; null: none, or autopilot's
+    const AutopilotResult* autopilot = nullptr;  ///< result for this scene, so far or final; null: none, or advice's
     bool advice_current = false;                 ///< the result belongs to the present settings
     std::optional<SearchProgress> wasting;       ///< the search for waste, under way
-    const Waste* waste = nullptr;                ///< its last result for this scene, also while it runs; null: none
-    bool waste_current = false;                  ///< that result belongs to the present settings
+    const Waste* waste = nullptr;                ///< waste in this scene, found so far or in all; null: not searched
+    bool waste_current = false;                  ///< `waste` belongs to the present settings
 };
 
 /// Requests of the panel Improve to the application: start or cancel a search.
 struct ImproveRequests {
-    std::optional<SearchRequest> find_advice;  ///< with a limit of the autopilot, without one of advice
+    std::optional<SearchRequest> find_advice;  ///< start the autopilot if a limit is set, else advice
     bool cancel_advice = false;
     bool find_waste = false;
     bool cancel_waste = false;

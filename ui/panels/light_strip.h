@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Number that the page Light path plots along the path of a light.
+/// Measured number that the page Light path plots over the positions along the path of a light.
 enum class StripPlots { Error, Time, Shimmer };
 
 /// State of the page Light path: ends of the path, and the number that is plotted along it (error, time or shimmer).
@@ -27,7 +27,7 @@ struct LightStripPanel {
 struct LightStripFacts {
     std::optional<SearchProgress> measuring_path;  ///< none: not under way
     const LightPathResult* path = nullptr;  ///< last result for this scene, also while it is measured; null: none
-    bool path_current = false;              ///< of the present settings, the light's direction aside
+    bool path_current = false;              ///< `path` belongs to the present settings, except the light's direction
 };
 
 /// Requests of the page Light path: measure a path, cancel, save the worst step as a preset.
@@ -42,8 +42,8 @@ struct LightStripRequests {
 /// Returns the position of the present settings along a measured path of a light, 0 at its first point to 1 at its
 /// last. None if the settings are not on the path.
 std::optional<double> strip_position(const LightPathResult& result, const Settings& settings);
-/// Sets the settings that move along a measured path of a light to their values at a position. Values between the
-/// points of the path are interpolated.
+/// Sets the settings that a measured path of a light varies, such as the azimuth, to their values at a position.
+/// Interpolates between the points of the path.
 /// @param position 0 at the first point to 1 at the last
 void set_strip_position(const LightPathResult& result, double position, Settings& settings);
 

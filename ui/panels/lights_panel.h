@@ -23,8 +23,8 @@ struct LightsPanel {
     bool listed = false;  ///< the list was in sight in the last frame
 };
 
-/// Draws the list of lights: a row for each light (shown, on, alone, colour, intensity) and the buttons of the list.
-/// For a point light six buttons follow, in a cross, which choose the cube face in the map viewer.
+/// Draws the list of lights: a row for each light (name, on, solo, colour, intensity), and buttons that add, copy,
+/// delete and move lights. For a point light, six more buttons choose the cube face in the map viewer.
 /// @param log receives the reason why a name is not accepted @param result last frame; null: not known
 void draw_lights(LightsPanel& panel, Settings& settings, Log& log, const FrameResult* result);
 /// Opens the text field that renames a light in the list of lights. @param light index

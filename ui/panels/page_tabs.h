@@ -7,9 +7,9 @@
 
 namespace si {
 
-/// Result of draw_tab(): the tab is in front, or was pressed.
+/// State of a tab in this frame, as draw_tab() returns it.
 struct DrawnTab {
-    bool front = false;    ///< its bar shows this tab
+    bool front = false;    ///< the tab bar shows the content of this tab
     bool pressed = false;  ///< pressed in this frame, by mouse or keyboard
 };
 

@@ -54,18 +54,18 @@ struct PresetRequests {
     std::optional<std::string> save_preset;  ///< path
     std::optional<std::string> open_file;    ///< path of a scene or a preset, by its extension
     std::optional<std::string> save_about;   ///< sentence to save in the preset
-    bool replace = false;                    ///< save over a file that was neither opened nor saved before
+    bool replace = false;                    ///< the user agrees to replace an existing file
     bool restore_lost = false;               ///< show the session that a crash has left
-    bool discard_lost = false;               ///< delete it
+    bool discard_lost = false;               ///< delete that session
     bool reset_all = false;                  ///< go back to the scene's own settings
     bool cancel_load = false;                ///< keep the scene that is shown
     bool reload_scene = false;               ///< read the shown scene's files again
-    bool keep_scene = false;                 ///< do not offer that until they change once more
+    bool keep_scene = false;                 ///< offer `reload_scene` only after the next change of the files
     std::vector<std::string> want_pictures;  ///< keys of presets on the screen that have no picture yet
 };
 
 /// Draws the gallery of presets as an ImGui popup while it is open: cards with picture, title and sentence, by topic,
-/// with a search field. A hard case and its fix stand beside each other.
+/// with a search field. A hard case is beside its fix.
 /// @param id ImGui id of the popup @param open key of the preset in use, which is highlighted
 void draw_gallery(const char* id, GalleryPanel& panel, std::span<const PresetEntry> presets, const std::string& open,
                   PresetRequests& requests);

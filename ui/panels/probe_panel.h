@@ -17,7 +17,7 @@ namespace si {
 struct Probe;
 struct PixelDiagnosis;
 
-/// Cross-sections of the probed pixel, one for each of its lights.
+/// Cross-sections of the probed pixel's shadow test, one for each light of the probe.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
 /// Data that the panel Pixel shows about the probed pixel: shadow test, diagnoses and cross-sections.

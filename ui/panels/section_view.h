@@ -14,7 +14,7 @@ namespace si {
 /// @param views cache of drawings @param light index of the light @param size size in pixels, from the ImGui cursor
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size);
 
-/// Cross-section of a shadow test, drawn as an image of its own to be saved. Coordinates are pixels from the upper left
+/// Cross-section of a shadow test, drawn as a separate image for saving. Coordinates are pixels from the upper left
 /// corner.
 struct SectionSheet {
     std::unique_ptr<ImDrawList> list;
@@ -22,7 +22,7 @@ struct SectionSheet {
     int height = 0;  ///< pixels
 };
 
-/// Draws a cross-section of a shadow test with verdict and legend as an image of its own, in the editor's fonts and
+/// Draws a cross-section of a shadow test with verdict and legend as a separate image, in the editor's fonts and
 /// colours. Call within an ImGui frame, in any window.
 SectionSheet section_sheet(const Section& section);
 

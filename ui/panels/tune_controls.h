@@ -11,9 +11,9 @@ namespace si {
 
 struct FoundBias;
 
-/// Request to search for better settings: for the least bias, or for advice on all settings. With a limit of error or
-/// frame time, the search for the least bias also tries kernels and resolutions. In place of advice, the autopilot then
-/// searches combinations of settings for the best within the limits. No search changes the settings by itself.
+/// Request to search for better settings: the least bias, or advice on all settings. With a limit of error or frame
+/// time, the search for the least bias also tries kernels and resolutions. Advice is then replaced by the autopilot,
+/// which searches combinations of settings for the best within the limits. No search changes the settings by itself.
 struct SearchRequest {
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame
@@ -60,7 +60,7 @@ struct TuneRequests {
     std::optional<SearchRequest> tune;
     bool cancel_tune = false;
     std::optional<BiasSettings> show_bias;  ///< show the present settings with this bias (PictureState::tried)
-    bool hide_tried = false;                ///< end that
+    bool hide_tried = false;                ///< end the display of settings for trial
 };
 
 /// Draws the progress of the search for the least bias, with a button that cancels it.
@@ -70,7 +70,7 @@ void draw_tune_progress(const SearchProgress& progress, TuneRequests& requests);
 /// @param settings changed by a row's button @param tried settings that are shown for trial; null: none
 void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Settings* tried, TuneRequests& requests);
 /// Draws the button that sets the kernel, resolution and bias that a search within limits has found. Draws nothing if
-/// the search changed the bias alone.
+/// `settings` already have this kernel and resolution, or the result belongs to other settings.
 void draw_tuned_result(const TunePanelFacts& shown, Settings& settings, TuneRequests& requests);
 
 }  // namespace si

@@ -12,8 +12,8 @@ namespace si {
 
 /// State of flying: moving the camera by keys while the right mouse button is held.
 struct Flight {
-    bool on = false;      ///< the button was down in the last frame
-    bool moving = false;  ///< a key of movement was down in the last frame
+    bool on = false;      ///< the right mouse button was down in the last frame
+    bool moving = false;  ///< a movement key was down in the last frame
     double speed = 1;     ///< factor of the usual speed
 };
 
@@ -21,8 +21,8 @@ struct Flight {
 struct FrozenCamera {
     Camera camera;
     CameraSettings settings;          ///< manual settings with this camera
-    glm::ivec2 pixels{1};             ///< size of its picture
-    std::optional<DepthSpan> seen_m;  ///< FrameResult::seen_m of its frame
+    glm::ivec2 pixels{1};             ///< size of the camera's picture
+    std::optional<DepthSpan> seen_m;  ///< measured depth range of its visible surfaces (FrameResult::seen_m)
 };
 
 /// Options of the playing animation.

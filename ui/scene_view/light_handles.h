@@ -44,15 +44,15 @@ std::string_view handle_name(LightHandle handle);
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
-    LightView view;                   ///< shown view, which near, far and extent act on
+    LightView view;                   ///< shown view, whose near, far and extent the handles change
     std::vector<LightView> cascades;  ///< views of a cascaded or warped light, which only the fit changes; else empty
     glm::dvec3 centre{0};             ///< world; origin of settings.target_x, y, z
     glm::dvec3 target{0};             ///< world; point that the light turns about or looks at
     glm::dvec3 position{0};           ///< world; place of the light's mark
     glm::dvec3 to_light{0, 1, 0};     ///< world; unit vector from the target
     double distance = 1;              ///< m, from target to position
-    bool has_map = true;              ///< the light has near, far and extent
-    /// Returns true if the light has cascades.
+    bool has_map = true;              ///< the light has a shadow map, with near, far and extent
+    /// Returns true if the light has cascades or a warped view, which only the fit changes.
     bool cascaded() const { return !cascades.empty(); }
     /// Returns true if the light's map is in parallel projection.
     bool orthographic() const { return !view.curve.perspective; }

@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Arrangement of the shown picture and the one that it is compared with. Alone: only the latter, while a key is held.
+/// Arrangement of the shown picture and the picture that it is compared with. Alone: only the compared picture, while a
+/// key is held.
 enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
 /// State of the comparison of the scene picture with another one: arrangement, kind of the other picture, and dividing
 /// line.
@@ -21,8 +22,8 @@ struct PictureComparison {
 /// Data of the comparison of the scene picture with another one: the other picture, and the difference image of these
 /// two.
 struct PictureComparisonFacts {
-    Image picture;        ///< without a texture: not there yet
-    Image difference;     ///< without a texture: not there yet
+    Image picture;        ///< picture to compare with; no texture: not drawn yet
+    Image difference;     ///< no texture: not drawn yet
     std::string label;    ///< name of the compared picture: "Truth", "PCF 5x5"
     std::string problem;  ///< reason why there is no picture to compare with
     double mae = 0;       ///< mean |A - B| of the pictures' channels, 0..1; valid with `difference`

@@ -22,7 +22,7 @@ void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 ori
 
 /// Draws the coordinates of the pixel under the mouse, and the overlay's value there, in the upper left corner of the
 /// picture.
-/// @param light light whose views the overlay's colours name; null: not known
+/// @param light light whose views (such as cascades) the overlay shows by colour; null: not known
 /// @param origin upper left corner of the picture, or of its part below a caption, pixels of the screen
 void draw_hover_readout(const EditorFrame& frame, const Pane& pane, const FittedLight* light, ImVec2 origin,
                         glm::ivec2 pixel);

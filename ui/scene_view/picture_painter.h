@@ -20,7 +20,7 @@ public:
     const PictureView& view() const { return view_; }
     /// Returns the ImGui draw list that receives the drawing.
     ImDrawList& list() const { return list_; }
-    /// Returns `units` of scale 1 in pixels of the screen.
+    /// Converts a length from pixels at a UI scale of 1 to pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }
 
     /// Draws a line between two points of the world over the picture, with a dark edge, visible on any background.

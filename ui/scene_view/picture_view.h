@@ -36,8 +36,8 @@ struct PictureView {
     bool contains(const glm::dvec2& screen) const;
 };
 
-/// Returns the intersection of a ray and a plane in world space. Nothing if they are parallel, or if the intersection
-/// lies before the ray's start.
+/// Returns the intersection of a ray and a plane in world space. Nothing if ray and plane are parallel, or if the
+/// intersection lies before the ray's start.
 /// @param point any point of the plane @param normal normal of the plane
 std::optional<glm::dvec3> intersect_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal);
 /// Returns the point of a line that is closest to a ray, as metres from `origin` along `direction`. Returns nothing if

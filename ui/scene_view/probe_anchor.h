@@ -16,7 +16,7 @@ struct ProbeAnchor {
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0, 1, 0};
     std::string scene;    ///< EditorState::scene_name
-    glm::ivec2 pixel{0};  ///< pixel of the point in the last frame; another probed pixel was chosen by hand
+    glm::ivec2 pixel{0};  ///< pixel of the point in the last frame; if another pixel is probed, the user chose it
 };
 
 /// Visibility, in the picture, of the surface point that the probe follows while the camera moves.
@@ -49,8 +49,8 @@ std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& lig
 /// Pixels of the picture that the loupe (magnifier) of the editor enlarges.
 struct LoupeFacts {
     glm::ivec2 at{0};                 ///< pixel in the middle
-    ByteImage pixels;                 ///< kLoupeRadiusPixels pixels on each side of it; alpha is 0 outside the picture
-    std::optional<float> visibility;  ///< visibility of the shown light; none: no surface
+    ByteImage pixels;                 ///< `at` and kLoupeRadiusPixels on each side; alpha is 0 outside the picture
+    std::optional<float> visibility;  ///< visibility of the shown light at `at`; none: no surface
 };
 
 /// Pixels of the loupe on each side of its middle.

@@ -45,14 +45,13 @@
 
 namespace si {
 
-/// Picture comparison as it was before a held key showed the picture of the pinned settings alone. It is restored when
-/// the key is released.
+/// Picture comparison to restore when the user releases the key that shows the picture of the pinned settings alone.
 struct Flicker {
     PictureComparison picture_comparison;
     CompareWith compare;
 };
 
-/// Centre of the loupe: the probed pixel, or the pixel under the mouse.
+/// Centre of the loupe (magnifier): the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
 /// Part of the editor's state that the drawn frame, and the numbers read back from it, depend on. The drawing thread

@@ -27,20 +27,21 @@ struct Place {
 /// History of settings for undo and redo, with the whole settings of each step.
 class History {
 public:
-    /// Drops all steps of the undo history and starts again from `settings`, when the program or its first scene
-    /// starts.
+    /// Drops all steps of the undo history and begins a new history with `settings`. Call at the start of the program,
+    /// and when the first scene is loaded.
     void reset(const Settings& settings);
-    /// Sets the scene and preset of the next step. Another scene is a step of its own.
+    /// Sets the scene and preset to which the next recorded step of undo belongs. record() also makes a step for a
+    /// change of scene alone.
     void set_place(Place place) { present_ = std::move(place); }
     /// Records changed settings as a step of undo. Call once a frame. Consecutive moves of the camera are one step.
     /// @param busy true: a gesture such as a drag is under way and nothing is recorded; all its changes become one step
     /// afterwards
     void record(const Settings& settings, bool busy);
-    /// Accepts the time of a playing animation (scene.time, seconds), so that record() makes no step of undo for each
-    /// frame. commit() makes the step when the animation stops.
+    /// Sets the time of a playing animation (scene.time, seconds) that record() takes as unchanged, so that playing
+    /// adds no step of undo each frame. Call commit() when the animation stops.
     void set_time(double time_s);
-    /// Adds a change that the program itself has made, such as to lights that a file animates, to the present step of
-    /// undo. No new step is made. @param before, after settings before and after the change
+    /// Adds a change that the program itself made, such as to a light that a file animates, to the present step of
+    /// undo. Makes no new step. @param before, after settings before and after the change
     void amend_step(const Settings& before, const Settings& after);
     /// Records a step of undo at once, also during a gesture, if `settings` differ from the present step's. Steps that
     /// could be redone are dropped.
@@ -48,31 +49,30 @@ public:
     /// Returns a name for each step of undo, oldest first: the settings that the step changed, or its scene or preset.
     /// The first step, which changes nothing, is named "the beginning".
     std::vector<std::string> names() const;
-    /// Returns the index of the step that is shown.
+    /// Returns the index of the present step of the undo history; 0: the oldest.
     std::size_t index() const { return at_; }
     /// Goes to a step of the undo history and returns the step's settings. @param step the index of the step, clamped
     /// to the existing ones
     const Settings& go_to(std::size_t step);
-    /// Returns true if there is a step before the shown one.
+    /// Returns true if the undo history has a step before the present one.
     bool can_undo() const { return at_ > 0; }
-    /// Returns true if there is a step after the shown one.
+    /// Returns true if the undo history has a step after the present one.
     bool can_redo() const { return at_ + 1 < steps_.size(); }
     /// Goes one step back in the undo history and returns that step's settings. Stays at the first step.
     const Settings& undo();
     /// Goes one step forward in the undo history and returns that step's settings. Stays at the last step.
     const Settings& redo();
-    /// Returns the scene and preset of the step that is shown.
+    /// Returns the scene and preset of the present step of the undo history.
     const Place& place() const { return steps_[at_].place; }
-    /// Returns the settings of the step that is shown.
+    /// Returns the settings of the present step of the undo history.
     const Settings& settings() const { return steps_[at_].settings; }
-    /// Goes back to the step shown before the last undo(), redo() or go_to(). Call when the scene of the new step could
-    /// not be loaded.
+    /// Reverts the last undo(), redo() or go_to(). Call when the scene of the new step could not be loaded.
     void cancel_move();
 
 private:
     static constexpr std::size_t kLimit = 500;
-    /// Goes to a step of the undo history, which is then the shown one, and returns its settings. @param step the index
-    /// of an existing step
+    /// Makes a step of the undo history the present one, and returns its settings. @param step the index of an existing
+    /// step
     const Settings& show_step(std::size_t step);
 
     /// Step of the undo history: settings with their scene and preset.

@@ -11,11 +11,11 @@ struct FrameResult;
 /// Returns the index of the light whose map and overlays are shown (view.light), clamped to the existing lights; -1
 /// without lights.
 int shown_light(const Settings& settings);
-/// Returns the shown light (shown_light()) as fitted in a frame, with its map's views. Returns null if there is none,
-/// or the light was added after the frame.
+/// Returns the shown light (shown_light()) with the shadow-map views that a frame fitted to it. Returns null without
+/// lights, or if the light was added after the frame.
 const FittedLight* shown_fitted_light(const Settings& settings, const FrameResult& result);
-/// Returns the index of the shown view (cube face, cascade) of the shown light, view.face clamped to the light's views;
-/// 0 without a light.
+/// Returns the index of the shown light's view (cube face, cascade) that the map viewer shows: view.face, clamped to
+/// the light's views. Returns 0 without a light.
 int shown_face(const Settings& settings, const FrameResult& result);
 
 /// Returns true if the settings have room for another light (kMaxLights).
@@ -30,7 +30,8 @@ void copy_light(Settings& settings, int light);
 void delete_light(Settings& settings, int light);
 /// Returns true if a light is on and all others are off. @param light the index of the light
 bool is_solo(const Settings& settings, int light);
-/// Switches a light on and all others off; switches all on if that is the case already. Used by the button Solo.
+/// Switches a light on and all others off. If it is the only light that is on, switches all on. Used by the button
+/// Solo.
 /// @param light the index of the light
 void solo_light(Settings& settings, int light);
 /// Moves a light within the list of lights and shows it. @param light the index of the light @param places the number

@@ -44,12 +44,12 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 /// Returns the height of the controls that draw_time_bar() draws, pixels; 0: the scene has no animation.
 float time_bar_height(const EditorFrame& frame);
-/// Draws the notes above the pictures, each if there is a reason. They concern the open preset, a lost session, saved
-/// scene files, far objects, and a reset of the graphics driver. @param width pixels; the height follows the text
+/// Draws the notes above the pictures, each only while it applies: reset of the graphics driver, lost session, saved
+/// scene files, far objects, z-up scene, open preset. @param width pixels; the height follows the text
 void draw_notes(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
-/// Returns the list of built-in presets through which the buttons Next and Previous go. The list is that of the hard
-/// cases (corner cases of shadow maps) if one of them is open, else that of the guided presets.
+/// Returns the built-in presets that the buttons Next and Previous step through. These are the hard cases (corner cases
+/// of shadow maps) if a hard case is open, else the guided presets.
 std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame);
 /// Returns the key of the preset `step` places after the open one in open_preset_sequence(); none beyond either end. If
 /// no preset of the list is open, returns the first, or the last for a negative step.
@@ -81,14 +81,14 @@ std::string reference_status(const EditorFrame& frame);
 
 /// Draws the progress of the ray-traced reference, with a button that cancels tracing, over a picture whose overlay
 /// needs the reference. Draws nothing if the reference is complete.
-/// @param left, bottom lower left corner of the picture, pixels of the screen @param width of the picture, pixels
+/// @param left, bottom lower left corner of the picture, pixels of the screen @param width width of the picture, pixels
 void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
-/// Draws the combo that chooses the arrangement of the compared pictures: off, swipe, side by side or difference.
-/// @param width of the combo, pixels
+/// Draws the combo that chooses how two pictures are compared: off, swipe, side by side or difference.
+/// @param width width of the combo, pixels
 void comparison_view_widget(EditorState& state, float width);
-/// Draws the combo that chooses the other side of the picture comparison: the reference, or other settings.
-/// @param width of the combo, pixels
+/// Draws the combo that chooses what the picture is compared with: the reference, or the picture of other settings.
+/// @param width width of the combo, pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
 /// Returns the arrangement of the compared pictures (off, swipe, side by side, difference) that the user has chosen. A
 /// held key that shows the pinned settings alone does not change it.
@@ -105,13 +105,14 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
 /// Pins the present settings as A, to compare later settings with them. If no pictures are compared, the next
 /// comparison shows A. Removes the pin if these settings are pinned already. Does nothing while a key shows A alone.
 void pin_settings(EditorState& state);
-/// Shows settings that a search proposes right of the swipe's line, beside the present ones, before the user applies
-/// them. Does nothing while a key shows the pinned settings alone.
+/// Previews settings that a search proposes: shows their picture right of the swipe's line, and the present picture
+/// left of the line. Does nothing while a key shows the pinned settings alone.
 void show_tried(EditorState& state, const Settings& settings);
-/// Ends the preview of proposed settings that show_tried() began, and restores the comparison before.
+/// Ends the preview of proposed settings that show_tried() began, and restores the earlier picture comparison.
 void hide_tried(EditorState& state);
-/// Ends the preview that show_tried() began when scene, comparison, or settings other than bias, kernel and resolution
-/// have changed. Call once a frame.
+/// Ends the preview that show_tried() began when the scene, the comparison or the settings have changed. Keeps the
+/// preview if the changed settings differ from the previewed ones only in bias, kernel and resolution. Call once a
+/// frame.
 void follow_tried(EditorState& state);
 /// Applies a change of settings that a search has drawn and measured. The log then compares the measured errors with
 /// those of the shown frame (check_prediction()).
@@ -119,10 +120,10 @@ void apply_trial(EditorState& state, const Trial& trial);
 /// Logs the errors that a search predicted for the applied settings beside the measured ones, once these are known.
 /// Requests the errors until then. Call once a frame.
 void check_prediction(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Shows the picture of the pinned settings (A) alone, until end_flicker(). Call when the key is pressed. If nothing is
-/// pinned, the log says so.
+/// Shows the picture of the pinned settings (A) alone, until end_flicker(). Call when the user presses the key for
+/// this. If no settings are pinned, only logs a message.
 void begin_flicker(EditorState& state);
-/// Ends begin_flicker(): shows the present settings again, and restores the comparison before.
+/// Ends begin_flicker(): shows the picture of the present settings again, and restores the earlier comparison.
 void end_flicker(EditorState& state);
 
 /// Draws the progress of loading a scene, with a button that cancels it, over the upper part of a picture. Draws
@@ -136,7 +137,8 @@ bool text_is_typed();
 /// Makes a panel fill the editor's window, or shows all panels again if the panel fills the window already.
 void toggle_maximised(EditorState& state, Panel panel);
 
-/// Draws the status bar below all panels: last message, frame time, map's bytes and taps, picture's size, driver.
+/// Draws the status bar below all panels: last message, frame time, size of the shadow maps, kernel taps per pixel,
+/// picture size, driver.
 void draw_status_bar(EditorState& state, const EditorFrame& frame);
 /// Returns the height of the status bar, pixels.
 float status_bar_height();

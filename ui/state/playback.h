@@ -11,13 +11,13 @@ namespace si {
 const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings& settings);
 
 /// Starts or stops the chosen animation. At the end of the animation, starts from the beginning. Does nothing if there
-/// is no animation, or its length is 0. The change of scene.time becomes one step of undo at the stop.
+/// is no animation, or its length is 0. When the animation stops, the change of scene.time becomes one step of undo.
 void toggle_play(EditorState& state, const EditorFrame& frame);
 /// Stops the playing animation and records the change of scene.time as a step of undo.
 void stop_playing(EditorState& state);
 
-/// Undoes the last change of settings (the last step of the history). Stops a playing animation first, whose change can
-/// then be undone, too. A step of another scene sets state.between_steps and is shown once its scene is loaded.
+/// Undoes the last change of settings (the last step of the history). Stops a playing animation first and undoes its
+/// change of time. A step of another scene sets state.between_steps and is shown once its scene is loaded.
 void undo(EditorState& state);
 /// Redoes the change of settings that was undone last. A step of another scene is shown once its scene is loaded, as in
 /// undo().

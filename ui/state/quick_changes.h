@@ -37,8 +37,8 @@ struct TexelPlace {
     double u = 0;  ///< centre of the texel, 0..1
     double v = 0;  ///< centre of the texel, 0..1
 };
-/// Shows the shadow map's texels around one texel as quads at their stored depths in the scene. Hides the quads if they
-/// are shown around that texel.
+/// Shows the shadow map's texels around a given texel as quads at their stored depths in the scene (view.slabs). Hides
+/// the quads if they are already shown around this texel.
 void toggle_quads(Settings& settings, const TexelPlace& place);
 /// Returns true if toggle_quads() shows quads at stored depths around this texel.
 bool shows_quads_at(const Settings& settings, const TexelPlace& place);

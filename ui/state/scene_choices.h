@@ -24,7 +24,8 @@ using NamedValues = std::vector<std::pair<int, std::string>>;
 NamedValues scene_choices(const Scene* scene, std::string_view key);
 
 /// Returns the choices of the setting view.face: the views of the shown light (cube faces, cascades), with their names.
-/// A number beyond the last view means the last. Empty for other keys and for lights with a single view.
+/// A view.face beyond the last view is listed too, with the last view's name. Empty for other keys and for lights with
+/// a single view.
 /// @param key key of the setting
 NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key);
 

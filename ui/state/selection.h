@@ -16,11 +16,12 @@ namespace si {
 /// Returns the part after the last slash of a path of a node or a file; the whole path without a slash.
 std::string last_path_part(const std::string& path);
 
-/// Returns the world bounds of the meshes at these nodes, without nodes below; empty: there are none.
+/// Returns the world bounds of the meshes at the nodes with these paths, without child nodes. Empty if they have no
+/// mesh.
 Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths);
-/// Returns the world bounds of the meshes at this node, without nodes below; empty: there are none.
+/// Returns the world bounds of the meshes at the node with this path, without child nodes. Empty if it has no mesh.
 Bounds bounds_of(const Scene& scene, const std::string& path);
-/// Returns the world bounds of the meshes at this node and all nodes below it; empty: there are none.
+/// Returns the world bounds of the meshes at the node with this path and all nodes below it. Empty without a mesh.
 Bounds bounds_below(const Scene& scene, const std::string& path);
 
 /// Returns the eight world corners of the box around a node's mesh, aligned to the node's own axes. Bits 0, 1, 2 of a

@@ -94,8 +94,8 @@ enum class When {
     HandleDragged,    ///< a light's handle is being dragged
 };
 
-/// Returns true if two situations of shortcuts can hold at the same time. Used to check that no key has two shortcuts
-/// then.
+/// Returns true if two situations in which shortcuts act can occur at the same time. Used to check that no key press
+/// triggers two shortcuts.
 bool can_coincide(When a, When b);
 
 /// State of a modifier key that a shortcut requires.
@@ -117,7 +117,7 @@ struct CommandContext {
     EditorState& state;
     const EditorFrame& frame;
     EditorRequests& requests;
-    int key = 0;  ///< code of the pressed key, in the chord's terms
+    int key = 0;  ///< code of the pressed key, as in Chord::first
 };
 
 /// Row of the table of shortcuts: command, key, situation, label and action.
@@ -142,20 +142,20 @@ const char* key_text(Command command);
 /// Returns a tooltip with a command's key in parentheses added: "Writes preset.json (Ctrl+S)".
 std::string with_key(std::string_view tooltip, Command command);
 
-/// Returns true while the key of a command is held down. Modifiers do not count.
+/// Returns true while the key of a command is held down. Ignores modifiers.
 bool is_held(Command command);
 /// Performs the action of a command as its key would, for menus and buttons.
 void run_command(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Performs the actions of all shortcuts whose keys were pressed in this frame and whose situation holds. Call once a
-/// frame.
+/// Performs the actions of all shortcuts whose keys were pressed in this frame and whose situation (When) applies. Call
+/// once a frame.
 void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
 /// Draws the window with the overview of mouse and keyboard, while it is open.
 /// @param shown true: the window is open; becomes false when the user closes it
 void draw_shortcuts(bool& shown);
 
-/// Gives the arrow keys to the probed pixel (they then move the probe) or to ImGui's keyboard navigation, from the next
-/// frame on. Call once a frame.
+/// Assigns the arrow keys to the probe, which they then move, or to ImGui's keyboard navigation, from the next frame
+/// on. KeyboardState::probe_has_arrows decides. Call once a frame.
 void assign_arrow_keys(EditorState& state);
 /// Hides Page up and Page down from ImGui, so that they do not scroll panels, except in menus and dialogs. Takes effect
 /// in the next frame; call once a frame.

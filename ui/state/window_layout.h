@@ -15,8 +15,8 @@ enum class MapSpot { AboveSettings, NextToScene, Inset, Hidden };
 /// Part of the editor that can fill the whole window.
 enum class Panel { Scene, Map, Strip, Inspector };
 
-/// Tabs of the inspector on the right, then those of the strip below the pictures. Ctrl+1 opens the first, Ctrl+0 the
-/// tenth.
+/// Tab of the inspector on the right (the first five), or of the strip below the pictures. Ctrl+1 opens the first,
+/// Ctrl+0 the tenth.
 enum class Tab { Settings, Objects, Lights, Pixel, Improve, Error, Cost, Compare, Lab, Log };
 inline constexpr int kTabs = index_of(Tab::Log) + 1;
 
@@ -39,7 +39,7 @@ enum class Page {
 };
 inline constexpr int kPages = index_of(Page::Log) + 1;
 
-/// Row of the table of the editor's pages: tab, button and name for --tab.
+/// Row of the table of the editor's pages: tab, button label and name for the command-line option --tab.
 struct PageRow {
     Page page;
     Tab tab;
@@ -47,7 +47,7 @@ struct PageRow {
     const char* key;             ///< name of the option --tab
     const char* other_key = "";  ///< another name of the option; empty: none
 };
-/// All pages, by Page. The first page of a tab is shown at first.
+/// Table of all pages, indexed by Page. At first, a tab shows its first page.
 inline constexpr PageRow kPageTable[kPages] = {{Page::Settings, Tab::Settings, "Settings", "settings"},
                                                {Page::Objects, Tab::Objects, "Objects", "objects"},
                                                {Page::Lights, Tab::Lights, "Lights", "lights"},
@@ -62,11 +62,11 @@ inline constexpr PageRow kPageTable[kPages] = {{Page::Settings, Tab::Settings, "
                                                {Page::Lab, Tab::Lab, "Precision, shimmer", "lab"},
                                                {Page::Numbers, Tab::Lab, "Numbers", "numbers"},
                                                {Page::Log, Tab::Log, "Log", "log"}};
-/// Labels of the tabs, by Tab.
+/// Labels of the tabs, indexed by Tab.
 inline constexpr const char* kTabLabels[kTabs] = {"Settings", "Objects", "Lights",  "Pixel", "Improve",
                                                   "Error",    "Cost",    "Compare", "Lab",   "Log"};
 
-/// Returns the tab that holds a page.
+/// Returns the tab that contains a page.
 constexpr Tab tab_of(Page page) {
     return kPageTable[index_of(page)].tab;
 }
@@ -74,7 +74,7 @@ constexpr Tab tab_of(Page page) {
 constexpr bool is_in_inspector(Tab tab) {
     return tab <= Tab::Improve;
 }
-/// Returns the first page of each tab, by Tab.
+/// Returns the first page of each tab, indexed by Tab.
 constexpr std::array<Page, kTabs> first_pages() {
     std::array<Page, kTabs> pages{};
     for (int i = kPages - 1; i >= 0; --i) pages[std::size_t(index_of(kPageTable[i].tab))] = kPageTable[i].page;
@@ -111,17 +111,18 @@ struct WindowState {
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
 };
 
-/// Part of the window that the keyboard can be given to, in the order of F6.
+/// Part of the window that can have the keyboard focus, in the order in which F6 visits the parts.
 enum class WindowPart { Menus, Scene, Map, Time, Strip, Inspector, Status };
 inline constexpr int kWindowParts = index_of(WindowPart::Status) + 1;
 
-/// Returns the part that lies `step` places after another one, 1 or -1, around the window.
+/// Returns the part of the window that gets the keyboard focus after `part`, cyclically.
+/// @param step 1: the next part; -1: the previous one
 constexpr WindowPart part_after(WindowPart part, int step) {
     return static_cast<WindowPart>((index_of(part) + step + kWindowParts) % kWindowParts);
 }
 
-/// Part of the window that has the keyboard, and assignment of arrow and page keys, which ImGui uses for its own
-/// navigation.
+/// State of the keyboard: the part of the window that has the focus, and the use of arrow and page keys, which ImGui
+/// also uses for navigation.
 struct KeyboardState {
     WindowPart focused = WindowPart::Status;  ///< part that was given the keyboard last
     std::optional<WindowPart> wanted;         ///< part that gets the keyboard as soon as it is drawn
@@ -131,7 +132,7 @@ struct KeyboardState {
     std::array<int, 2> page_keys = {-1, -1};  ///< window codes of Page up and Page down; -1: not known yet
 };
 
-/// Part of the editor that a screenshot shows. Drawing: the probe's cross-section.
+/// Part of the editor that a screenshot shows. Drawing: the cross-section of the probed pixel's shadow test.
 enum class Shot { Scene, Map, Window, Drawing };
 
 /// Rectangle of the screen in ImGui's units, y down. Size 0: the part of the window that it describes was not drawn.

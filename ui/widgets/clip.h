@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Clips a segment to the rectangle lo..hi; nothing if all of the segment is outside. Liang and Barsky, A New Concept
-/// and Method for Line Clipping, ACM TOG 3(1), 1984.
+/// Returns the part of a segment inside the rectangle lo..hi; none if the segment lies outside. Liang and Barsky, A New
+/// Concept and Method for Line Clipping, ACM TOG 3(1), 1984.
 inline std::optional<std::pair<glm::dvec2, glm::dvec2>> clip_to_box(const glm::dvec2& from, const glm::dvec2& to,
                                                                     const glm::dvec2& lo, const glm::dvec2& hi) {
     const glm::dvec2 way = to - from;

@@ -13,15 +13,16 @@
 
 namespace si {
 
-/// Returns true if the press on the last ImGui item has closed a popup elsewhere. ImGui ignores such a press otherwise.
+/// Returns true if a mouse press on the last ImGui item has just closed another popup. ImGui does not pass this press
+/// on to the item, so callers handle it.
 inline bool press_closed_other_popup() {
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) &&
            !ImGui::GetTopMostPopupModal() && !ImGui::IsItemHovered() &&
            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
 }
 
-/// Draws a combo as ImGui::BeginCombo() does; if it returns true, call ImGui::EndCombo(). A press that closes another
-/// list opens this one.
+/// Draws a combo as ImGui::BeginCombo() does; if it returns true, call ImGui::EndCombo(). Unlike ImGui's combo, this
+/// one also opens at a press that closes another combo's list.
 inline bool begin_combo(const char* label, const std::string& shown, ImGuiComboFlags flags = 0) {
     const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
     if (ImGui::BeginCombo(label, beginning_that_fits(shown, room, ImGui::GetFont()).c_str(), flags)) return true;

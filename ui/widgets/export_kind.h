@@ -10,7 +10,7 @@ enum class ExportKind {
     Bundle,   ///< scene, camera, maps and matrices of the frame
     Picture,  ///< scene picture with its overlay
     Map,      ///< shown depth map
-    Code,     ///< settings as code of an engine; the dialog Convert goes on
+    Code,     ///< settings as code of an engine, which the dialog Convert writes
 };
 
 /// Request to write the shown frame into a file: a bundle, a picture, a map or code.

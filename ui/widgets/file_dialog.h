@@ -67,10 +67,12 @@ std::filesystem::path with_export_extension(std::filesystem::path path, ExportKi
 /// @param folder base of relative paths @param job, kind, exported select the files that match
 std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,
                            FileDialog::Kind kind, ExportKind exported = ExportKind::Bundle);
-/// Draws the editor's file dialog while it is open. The chosen file becomes a request to the application. For scenes
-/// and presets the request is to open the desktop's own dialog, if it is available and switched on.
+/// Draws the editor's file dialog while it is open. The chosen file becomes a request to the application, the value of
+/// a setting, or the output of the dialog Convert. For scenes and presets, requests the desktop's own dialog instead,
+/// if it is available and switched on.
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the dialog that confirms the replacement of an existing file which this editor has neither opened nor saved.
+/// Draws the dialog that asks the user whether to replace an existing file which this editor has neither opened nor
+/// saved.
 void draw_replace_dialog(EditorState& state, EditorRequests& requests);
 
 }  // namespace si

@@ -24,7 +24,8 @@ int overlay_of_digit(int digit, const HeldKeys& held);
 /// "0"
 std::string overlay_key(int number);
 
-/// Returns the key of the setting that holds a pane's overlay. @param pane the index of the pane, from 0
+/// Returns the key of the setting that chooses the overlay of a pane (one of up to four scene pictures). @param pane
+/// index of the pane, 0 to 3; clamped
 std::string_view overlay_setting(int pane);
 
 }  // namespace si

@@ -25,12 +25,13 @@ struct SettingFacts {
     const EngineWording* engine = nullptr;  ///< engine whose limits apply, and in which texts speak; null: none
     std::string_view searched = {};         ///< text of the settings search: engines' names in it are explained
 };
-/// Sets the data from which widgets of settings in the current ImGui context decide whether a setting has an effect.
-/// The pointer has to stay valid until the next call. @param facts null: nothing is known
+/// Sets the data that the widgets of settings in the current ImGui context use, such as to decide whether a setting has
+/// an effect. The pointer has to stay valid until the next call. @param facts null: nothing is known
 void use_setting_facts(const SettingFacts* facts);
 
 /// Formats changes of settings as parameters of the engine that the user chose: "in three.js: set normalBias to
-/// 0.0098". Empty without an engine, and if none of its parameters changes.
+/// 0.0098". Returns an empty text if no engine is chosen, none of its parameters changes, or it cannot express the
+/// change.
 /// @param changes pairs of setting key and value
 std::string engine_changes_text(std::span<const std::pair<std::string, std::string>> changes);
 

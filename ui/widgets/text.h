@@ -53,8 +53,9 @@ inline constexpr float kTooltipWidth = 31;  ///< largest width, ems
 inline constexpr float kTallItem = 5;       ///< height of an item that its tooltip may cover, ems
 
 /// Places the next tooltip so that it covers no neighbour of the last item: next to a narrow window (a list, a column
-/// of settings), below or above the item in a wide one (a toolbar). Without room for either ImGui places it.
-/// @param width of the tooltip, pixels; 0: the largest
+/// of settings), below or above the item in a wide one (a toolbar). Leaves the placement to ImGui for tall items and
+/// where there is no room.
+/// @param width width of the tooltip, pixels; 0: the largest
 inline void place_tooltip(float width = 0) {
     const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = width > 0 ? width : em * kTooltipWidth;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
@@ -73,7 +74,7 @@ inline void place_tooltip(float width = 0) {
     }
 }
 
-/// Returns true if the space at `at` stands between a number and its unit, which belong on one line: "3.1 m".
+/// Returns true if the space at index `at` is between a number and its unit, which belong on one line: "3.1 m".
 inline bool joins_unit(std::string_view text, std::size_t at) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     return at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && text[at + 1] != ' ' && !is_digit(text[at + 1]);
@@ -101,7 +102,7 @@ inline std::string broken_at_spaces(std::string_view text, float width) {
     return out;
 }
 
-/// Draws the tooltip of the last item, in lines of readable length, also if it is disabled.
+/// Draws the tooltip of the last item, even a disabled item, in lines of readable length.
 inline void wrapped_tooltip(const std::string& text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     place_tooltip();
@@ -113,14 +114,14 @@ inline void wrapped_tooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
-/// Draws text in a colour. The text's own line breaks and the wrap position in force break its lines.
+/// Draws text in a colour. Lines break at the text's line breaks and at ImGui's wrap position.
 inline void coloured_text(std::string_view text, ImU32 colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
 }
 
-/// Draws text in lines as wide as the window or the column. No line breaks within a number or before its unit.
+/// Draws text in lines as wide as the window or the column, and keeps each number on one line with its unit.
 inline void wrapped_text(std::string_view text) {
     ImGui::PushTextWrapPos(0);  // for words longer than a line
     ImGui::TextUnformatted(broken_at_spaces(text, ImGui::GetContentRegionAvail().x - 1).c_str());
@@ -134,8 +135,8 @@ inline void coloured_wrapped(const std::string& text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-/// Scope in which panels draw numbers of an earlier picture in grey, and still clickable. If `on` is false, nothing
-/// changes.
+/// Scope (RAII) in which widgets are drawn in grey but stay clickable, for numbers of an earlier picture. Has no effect
+/// if `on` is false.
 class Greyed {
 public:
     explicit Greyed(bool on) : on_(on) {
@@ -236,14 +237,14 @@ inline void right_cell(const std::string& text, ImU32 colour = theme::text()) {
 }
 
 /// Draws small text over a picture or plot. @param at upper left corner, pixels of the screen @param align share of the
-/// text's width left of that place
+/// text's width left of `at`; 0.5: centred
 inline void small_text(ImVec2 at, const std::string& text, ImU32 colour, float align = 0) {
     ImFont* const font = theme::small();
     if (align > 0) at.x -= align * text_width(text, font);
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, text.c_str());
 }
 
-/// Draws the tooltip of the last item, in the lines that the text has. @param flags ImGuiHoveredFlags
+/// Draws the tooltip of the last item, with line breaks only where the text has them. @param flags ImGuiHoveredFlags
 inline void plain_tooltip(const std::string& text, ImGuiHoveredFlags flags = 0) {
     if (!ImGui::IsItemHovered(flags)) return;
     place_tooltip(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().WindowPadding.x);

@@ -17,7 +17,7 @@ struct Colours {
     ImU32 line;
     ImU32 accent;  ///< changed values
     ImU32 error, warning;
-    ImU32 note;  ///< behind notes for the user
+    ImU32 note;  ///< background of notes for the user
     ImU32 done;  ///< filled part of a progress bar
     ImU32 bar;   ///< bars of a plot
 };
@@ -26,7 +26,7 @@ const Colours& colours(bool light);
 /// Returns the colours of the editor's theme in use.
 const Colours& colours();
 
-/// Colour that follows the theme in use. A call returns its present value: theme::text().
+/// Function object for a colour of the theme in use. A call returns the present value: theme::text().
 struct ThemeColour {
     ImU32 Colours::*colour;
     ImU32 operator()() const { return colours().*colour; }
@@ -53,7 +53,7 @@ inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and
 inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< lit rays and kernel taps
 inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< shadowed rays and kernel taps
 inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);   ///< the normal offset
-inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);    ///< under the mouse in the other picture
+inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);    ///< counterpart of the pixel or texel under the mouse
 inline constexpr ImU32 kProbed = IM_COL32(170, 226, 90, 255);    ///< the probed pixel and its texels
 inline constexpr ImU32 kFrozen = IM_COL32(188, 146, 250, 240);   ///< the frozen camera
 inline constexpr ImU32 kSelected = IM_COL32(236, 236, 234, 255);

@@ -25,7 +25,7 @@ public:
     void end();
 
 private:
-    /// Widget without room in the toolbar, which the menu at its end draws.
+    /// Widget that has no room in the toolbar; the menu at the toolbar's end draws it.
     struct Waiting {
         const char* label;
         float width;
