@@ -28,10 +28,11 @@ namespace si {
 /// Result of a background search for fixes, which are changes of settings that put wrong pixels right.
 struct FixesFound {
     FixTable table;
-    std::optional<glm::ivec2> pixel;  ///< none: the whole picture
+    std::optional<glm::ivec2> pixel;  ///< pixel that the search was for; none: the whole picture
 };
 
-/// Result of a finished search for advice, or of the autopilot.
+/// Result so far of a background search for better settings. AdviceReport ranks setting changes by measured error and
+/// time, and lists problems of the frame. AutopilotResult has the best settings found within a limit of error or time.
 using AdviceFound = std::variant<AdviceReport, AutopilotResult>;
 
 /// Result of a shimmer measurement: flips of shadow-edge pixels while camera or light moves, under each compared
@@ -42,7 +43,7 @@ struct ShimmerFound {
 };
 
 /// Owner of the editor's background measurements: sweeps over settings, searches for bias, fixes and advice, and
-/// timings. Starts them when a panel requests it, and gives their results to the panels.
+/// timings. Starts a measurement when a panel requests it, and passes its results to the panels.
 class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
@@ -51,7 +52,8 @@ class BackgroundWork {
     }
 
 public:
-    /// @param state of the editor, which lives longer @param state_folder see EditorSweep
+    /// Makes the owner; nothing is measured yet. @param state the editor's state, which must outlive this object
+    /// @param state_folder folder for results of sweeps, kept between runs; empty: a temporary folder
     BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
         : state_(state), sweep_(state_folder) {}
 
@@ -74,10 +76,11 @@ public:
     /// `frame` stay valid until the next call of a non-const member. @param size scene picture, pixels
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
-    /// Returns the progress of the measurement for a conversion; none: it does not run.
+    /// Returns the progress of measuring error and time for a conversion (shadow settings as code for another engine);
+    /// none: no such measurement runs.
     std::optional<SearchProgress> conversion_progress() const { return conversion_.progress(); }
-    /// Returns the measured error and time that the code exported for another engine states. Returns null if they were
-    /// not measured for the present settings and size.
+    /// Returns error and time as measured for a conversion (shadow settings as code for another engine). Returns null
+    /// if they were not measured for the present settings and size.
     /// @param scene the shown scene; null: none @param size scene picture, pixels
     const MeasuredConversion* measured_conversion(const Scene* scene, glm::ivec2 size) const;
 

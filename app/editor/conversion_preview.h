@@ -20,7 +20,7 @@ public:
     /// Generates the code that the dialog Convert shows, if the dialog is open and an input has changed. Call once a
     /// frame. Returns true if the dialog has to be drawn again.
     /// @param frame data of the last drawn frame
-    /// @param measuring progress of the measurement whose numbers the code states; none: not running
+    /// @param measuring progress of measuring the error and time that the code states; none: not running
     /// @param measured result of that measurement for the present settings; null: none
     bool update(const EditorFrame& frame, const std::optional<SearchProgress>& measuring,
                 const MeasuredConversion* measured);
@@ -28,7 +28,7 @@ public:
     /// @param scene the shown scene, whose files are never overwritten; null: none
     /// @param replace true: overwrites an existing file; false: the dialog asks first
     void save(const std::string& path, const Scene* scene, bool replace);
-    /// Returns the facts for the dialog; null while it is closed.
+    /// Returns the data that the dialog Convert shows; null while the dialog is closed.
     const ConvertFacts* facts() const { return shown_ ? &*shown_ : nullptr; }
 
 private:
@@ -44,7 +44,7 @@ private:
     EditorState& state_;
     std::vector<ConvertTargetLabel> labels_;
     std::optional<Input> made_from_;
-    std::optional<ConvertedMeasure> angle_taken_from_;  ///< measurement whose angle the dialog has
+    std::optional<ConvertedMeasure> angle_taken_from_;  ///< measurement that gave the dialog's reference angle
     std::optional<ConvertFacts> shown_;
 };
 

@@ -28,15 +28,15 @@ public:
     /// Makes a client of the desktop's file portal. Opens no dialog yet.
     /// @param wake called from another thread when take_answer() has an answer
     explicit FilePortal(std::function<void()> wake);
-    /// Closes the dialog.
+    /// Closes the dialog that is still open, if any.
     ~FilePortal();
 
     /// Opens the desktop's file dialog and returns at once. An earlier dialog that is still open is closed first, and
     /// gives no answer.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits; empty: unknown
     void open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window);
-    /// Returns the answer of the file dialog once, and forgets it. Returns nothing while the dialog is open, or if
-    /// there is none.
+    /// Returns the answer of the file dialog once, and forgets it. Returns nothing while the dialog is open, or if no
+    /// dialog was opened.
     std::optional<Answer> take_answer();
 
 private:

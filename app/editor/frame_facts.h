@@ -15,15 +15,15 @@
 
 namespace si {
 
-/// Numbers read back from the GPU for panels: probed pixel, map depths, overlay values. Each is present only while a
-/// panel shows it.
+/// Numbers read back from the GPU for panels: probed pixel, map depths, overlay values. Each number is present only
+/// while a panel shows it.
 struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
     std::vector<PixelDiagnosis> diagnoses;  ///< diagnoses of the probed pixel, one for each light
-    Sections sections;                      ///< cross-sections of the probed pixel, while the panel Pixel is shown
-    bool tracing_probe = false;             ///< diagnoses of the probed pixel are being traced
+    Sections sections;                      ///< cross-sections of the probed pixel's shadow tests; null: none
+    bool tracing_probe = false;             ///< diagnoses of the probed pixel wait for the ray-tracing hierarchy
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
     std::optional<MapPlots> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
@@ -34,22 +34,22 @@ struct ReadBackFacts {
 /// Data of one drawn frame of the editor, copied from the thread that drew it: result, settings, errors, numbers read
 /// back. Panels show these data while the next frame is drawn.
 struct FrameFacts {
-    std::optional<DriverInfo> driver;  ///< nothing: there is no picture
+    std::optional<DriverInfo> driver;  ///< driver that drew the frame; nothing: there is no picture
     FrameResult result;
     Settings settings;  ///< settings of the frame
     FrameRequest request;
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
-    Image traced_so_far;  ///< pixels of the reference in work, alpha 0 where nothing is traced yet; empty: none
-    std::shared_ptr<const LiveError> earlier_error;  ///< of the last frame of this scene and light that had errors
+    Image traced_so_far;  ///< pixels traced so far of the reference under way; alpha 0: not traced yet; empty: none
+    std::shared_ptr<const LiveError> earlier_error;  ///< last errors computed for this scene and light; null: none
     std::optional<PictureComparisonFacts> picture_comparison;
     MapComparisonFacts map_comparison;
-    std::vector<Effect> effects;                  ///< empty unless requested
-    std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or the search is not finished
-    ArtefactSpots artefacts;                      ///< clusters of the last fulfilled request
+    std::vector<Effect> effects;                  ///< work of the frame, for the panel Effects; empty unless requested
+    std::shared_ptr<const NumericHealth> health;  ///< search for invalid numbers; null: not requested, or not finished
+    ArtefactSpots artefacts;                      ///< clusters of wrong pixels found by the last search
     std::string shader_log;
     std::string problem;        ///< why there is no picture; empty: nothing is wrong
-    bool driver_reset = false;  ///< the driver has lost the context
+    bool driver_reset = false;  ///< the driver has lost the OpenGL context
 
     /// Writes these facts of a drawn frame into the facts that panels read. Pointers in `f` stay valid as long as
     /// this object is unchanged.

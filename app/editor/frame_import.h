@@ -22,12 +22,13 @@ namespace si {
 /// process reads captures.
 class FrameImport {
 public:
-    /// @param state, memory, scenes parts of the editor, which outlive this object
+    /// Makes an importer; no frame is imported yet.
+    /// @param state, memory, scenes parts of the editor, which must outlive this object
     FrameImport(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
         : state_(state), persistence_(memory), scenes_(scenes) {}
 
-    /// Starts the import of a capture or of the image of a shadow map: reads the file, or opens a dialog first. An
-    /// earlier import is cancelled. @param path a file of a kind that frame_files() lists
+    /// Starts the import of a RenderDoc capture or of the image of a shadow map: reads the file, or opens a dialog
+    /// first. An earlier import is cancelled. @param path a file of a kind that frame_files() lists
     void open(const std::filesystem::path& path, FrameFileKind kind);
     /// Performs the requests of the import dialogs: continue, write or cancel. Errors are shown in the dialog. Returns
     /// true if there was a request.
@@ -38,11 +39,11 @@ public:
     /// Returns the data that the import's dialogs and progress bar show; nothing: no frame is being imported.
     std::optional<ImportFacts> facts() const;
 
-    /// Returns true while work runs, or its outcome waits for poll().
+    /// Returns true while a background step of the import runs, or its outcome waits for poll().
     bool busy() const { return job_.busy(); }
     /// Returns true if the import's progress or elapsed seconds have changed since the last call of facts().
     bool has_news() const;
-    /// Waits until no work runs.
+    /// Waits until no background step of the import runs.
     void finish() const { job_.wait(); }
 
 private:
@@ -53,9 +54,9 @@ private:
     };
     /// Result of a background step of the import: the choices after reading, or lines for the log after writing.
     struct Made {
-        std::vector<ImportChoice> choices;     ///< after ImportStep::Reading
-        std::shared_ptr<const MapImport> map;  ///< the readings of an image
-        std::vector<LogLine> lines;            ///< after ImportStep::Writing
+        std::vector<ImportChoice> choices;     ///< choices for the user, after ImportStep::Reading
+        std::shared_ptr<const MapImport> map;  ///< a map's image with its possible depth conventions; null: none
+        std::vector<LogLine> lines;            ///< lines for the log, after ImportStep::Writing
     };
     using Work = Job<Made, Step>;
 
@@ -77,16 +78,16 @@ private:
     EditorState& state_;
     EditorPersistence& persistence_;
     SceneLoader& scenes_;
-    std::optional<ImportStep> step_;  ///< none: no frame is being imported
+    std::optional<ImportStep> step_;  ///< present step of the import; none: no frame is being imported
     FrameFileKind kind_ = FrameFileKind::Capture;
     std::filesystem::path file_;
-    std::string output_;  ///< bundle that is being written
+    std::string output_;  ///< path of the bundle that is being written
     std::vector<ImportChoice> choices_;
     std::shared_ptr<const MapImport> map_;
     std::string problem_;
     std::chrono::steady_clock::time_point began_;
     mutable int shown_seconds_ = 0;
-    Work job_;  ///< last: ends before what it uses
+    Work job_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

@@ -18,26 +18,28 @@
 
 namespace si {
 
-/// Time that the editor waits for a frame. Frames that take less are shown at once.
+/// Longest time that the editor waits for the drawing thread to finish a frame. A slower frame is shown later.
 inline constexpr std::chrono::milliseconds kFramePatience{40};
 
 /// Options of the thread that draws the editor's frames. Without a context, frames are drawn on the calling thread.
 struct FrameThread {
-    ThreadContextMaker context;  ///< shares objects with the context that is current at construction
+    ThreadContextMaker context;  ///< makes the thread's context, which shares the editor's objects; empty: no thread
     std::function<void()> wake =
-        {};  ///< called on that thread when a frame is done after the editor has stopped waiting
+        {};  ///< called on the drawing thread when it finishes a frame that the editor no longer waits for
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// Draws the editor's frames on a thread of its own, so that a slow frame does not block the window. update() starts a
-/// frame, poll() fetches its data. Make all calls from one thread with one OpenGL context.
+/// Renderer of the editor's frames on a thread of its own, so that a slow frame does not block the window. update()
+/// starts a frame, and poll() fetches its data. Make all calls from one thread with one OpenGL context.
 class FrameLoader {
 public:
-    /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context
+    /// Makes the renderer and, if `thread` has a context maker, the drawing thread.
+    /// @param state, session parts of the editor, which must outlive this object
+    /// @throws Error if the thread gets no OpenGL context
     FrameLoader(EditorState& state, FrameThread thread, SessionReport& session);
     ~FrameLoader();
 
-    /// Returns true while the drawing thread draws a frame. Until then the scene must not change, and facts() describe
+    /// Returns true while the drawing thread draws a frame. Meanwhile the scene must not change, and facts() describe
     /// the frame before.
     bool under_way() const;
     /// Returns true while a frame is being drawn, or a finished frame waits for poll().
@@ -67,21 +69,23 @@ public:
     /// Draws a view of the shown frame (the picture, or a depth map) into a file, in the format of its extension.
     /// @throws Error
     void save_view(const Scene& scene, const View& view, const std::string& path);
-    /// Returns true if shader files have been saved since the last frame.
+    /// Reads changed shader files again. Returns true if shader files have changed since the last drawn frame, so that
+    /// the scene has to be drawn again. Does nothing and returns false while a frame is under way.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 
-    /// Returns true while a frame is drawn, or rays of the picture are traced.
+    /// Returns true while a frame is drawn, or references, light maps or saved errors are computed for it.
     bool tracing() const { return busy() || loop_->reference().busy(); }
-    /// Returns true if poll() or update() has new results of tracing.
+    /// Returns true if a finished frame waits for poll(), or the next update() will have new results or progress of
+    /// tracing.
     bool tracing_moved() const { return !under_way() && (busy() || loop_->reference().has_news()); }
-    /// Waits until frame and rays are finished.
+    /// Waits until the frame under way is drawn, and all tracing for it has ended.
     void finish_tracing() const {
         wait();
         loop_->reference().wait();
     }
-    /// Returns true if update() has the diagnosis of the probed pixel.
+    /// Returns true if the next update() will have the diagnosis of the probed pixel.
     bool probe_moved() const { return !under_way() && loop_->read_back().has_news(); }
-    /// Waits for the diagnosis of the probed pixel.
+    /// Waits until the next update() can diagnose the probed pixel.
     void finish_probe() const {
         wait();
         loop_->read_back().finish_tracing();
@@ -96,7 +100,7 @@ private:
     /// frame under way is finished first. @throws the function's exceptions
     void call(const std::function<void()>& work);
     /// Replaces the images of a finished frame by copies, which the window shows while the next frame overwrites the
-    /// originals. On a failure, the frame's data hold the reason instead.
+    /// originals. If copying fails, the frame has no picture, and FrameFacts::problem states the reason.
     /// @param shown fence that is signalled after the window's last use of older copies
     void show_copies(GLsync shown);
 
@@ -112,7 +116,7 @@ private:
     FrameFacts next_facts_;
     FrameNews news_;
     EditorRequests missed_;                    ///< one-time requests that came while a frame was under way
-    std::unique_ptr<DrawThread> draw_thread_;  ///< last: ends before what it uses
+    std::unique_ptr<DrawThread> draw_thread_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

@@ -22,9 +22,9 @@ namespace si {
 
 /// Outcome of one FrameLoop::update(): changes, remarks for the log, driver messages and invalid numbers.
 struct FrameNews {
-    bool changed = false;                ///< the editor now shows something else
-    std::vector<LogLine> remarks;        ///< for the log
-    bool release_frozen_camera = false;  ///< the frozen camera cannot be drawn and has to be given up
+    bool changed = false;                ///< the editor has to be drawn again
+    std::vector<LogLine> remarks;        ///< lines for the log
+    bool release_frozen_camera = false;  ///< drawing for the frozen camera failed, so that the editor must unfreeze it
     std::vector<std::string> driver;     ///< messages of the OpenGL driver
     std::string unsound;  ///< faulty numbers (NaN, infinite, out of range) of the frame; empty: none, or not searched
 };
@@ -55,7 +55,8 @@ public:
 
     /// Draws a view of the shown frame (the picture, or a depth map) into a file. @throws Error
     void save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path);
-    /// Returns true if shader files have been saved since the last frame.
+    /// Reads changed shader files again. Returns true if shader files have changed since the last drawn frame, so that
+    /// the scene has to be drawn again.
     bool poll_shaders() { return shaders_changed_ = renderer_.reload_changed_shaders() || shaders_changed_; }
 
     /// Returns the numbers read back from the frames, with the diagnosis of the probed pixel.
@@ -74,8 +75,8 @@ private:
     bool add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Adds an error to the remarks for the log.
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
-    /// Updates the smoothing pass, which averages anti-aliasing samples, in the shown frame's list of passes: state and
-    /// reason.
+    /// Updates state and reason of the smoothing pass in the shown frame's list of passes. This pass averages
+    /// anti-aliasing samples.
     /// @param more result of the frame that has added a sample
     void report_smoothing(const FrameResult& more);
     /// Queues the shaders that a hover, a click or the map viewer would need next, for compilation in the background.
@@ -96,8 +97,8 @@ private:
     /// Fetches the result of the search for invalid numbers (NaN, infinite, out of range) in the frame, while a panel
     /// requests the search. Returns true if the result has changed, or is not finished yet.
     bool follow_health();
-    /// Searches the frame just drawn for invalid numbers (NaN, infinite, out of range), and waits for the result. Finds
-    /// go to the log and FrameNews::unsound. Used for the option --check-numeric.
+    /// Searches the frame just drawn for invalid numbers (NaN, infinite, out of range), and waits for the result.
+    /// Invalid numbers are reported in the log and in FrameNews::unsound. Used for the option --check-numeric.
     void require_sound_numbers(const Scene& scene);
     /// Lists the work of the frame (effects: each drawn, cached or skipped, with a reason) while the panel Effects is
     /// shown. Returns true if the list has changed. @param drawn true: the frame was drawn in this update
@@ -119,8 +120,8 @@ private:
     PreviewOfReference preview_;
     EditorPictureComparison picture_comparison_;
     EditorMapComparison map_comparison_;
-    bool artefacts_found_ = false;             ///< since the frame drawn last
-    std::vector<Effect> frame_effects_;        ///< of the last frame; empty: not requested yet
+    bool artefacts_found_ = false;             ///< wrong pixels were searched for clusters since the last drawn frame
+    std::vector<Effect> frame_effects_;        ///< work of the last frame; empty: not requested yet
     std::uint64_t posed_scene_ = 0;            ///< Scene::id of the frame before
     std::set<std::uint64_t> warmed_programs_;  ///< Renderer::programs_key() of frames whose next shaders are queued
     std::unique_ptr<ShaderWarmup> warmup_;

@@ -15,7 +15,8 @@ namespace si {
 /// Editor without a window, drawn into a framebuffer frame by frame, for screenshots and tests.
 class HeadlessEditor {
 public:
-    /// Starts to read the first scene. @throws Error if there is no OpenGL, or the size cannot be drawn
+    /// Starts to read the first scene. @param read reads scenes; empty: load_scene()
+    /// @throws Error if there is no OpenGL, or the size cannot be drawn
     explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
 
     EditorModel& model() { return model_; }
@@ -48,7 +49,7 @@ private:
     EditorModel model_;
 };
 
-/// Returns the default scale of text and widgets for a screenshot: height / 1080 in quarters, from 1 to 4.
+/// Returns the default scale of text and widgets for a screenshot: height / 1080, rounded to quarters, from 1 to 4.
 /// @param height of the screenshot, pixels
 float screenshot_scale(int height);
 

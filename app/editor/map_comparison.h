@@ -48,7 +48,7 @@ private:
     // A second renderer, so that the shown frame keeps its images.
     std::unique_ptr<Renderer> renderer_;
     gl::Texture texture_;
-    std::vector<std::shared_ptr<const ComparedMap>> compared_;  ///< by view of the light; empty: not compared
+    std::vector<std::shared_ptr<const ComparedMap>> compared_;  ///< compared maps by view of the light; empty: none
     // State that the comparison and the picture belong to.
     Settings settings_;  ///< without camera and view
     std::uint64_t scene_ = 0, maps_ = 0;

@@ -27,14 +27,15 @@ namespace si {
 /// draw_editor(). Needs a current OpenGL context all its life.
 class EditorModel {
 public:
-    /// Starts to read the first scene. @param read makes scenes; empty: load_scene()
-    /// @param thread thread that draws frames; none: the calling one @throws UsageError, Error for faulty options
+    /// Starts to read the first scene. @param read reads scenes; empty: load_scene()
+    /// @param thread options of the drawing thread; without a context maker, frames are drawn on the calling thread
+    /// @throws UsageError, Error for faulty options
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
     bool has_desktop_dialog =
         false;            ///< the caller can show the desktop's file dialog (EditorRequests::open_desktop_dialog)
-    bool smooths = true;  ///< static pictures get more samples per pixel, if view.smooth is on
+    bool smooths = true;  ///< a picture that stays the same gets more samples per pixel, if view.smooth is on
 
     /// Returns the data that draw_editor() shows. Pointers in the data stay valid until the next fulfil().
     EditorFrame facts() const;
@@ -47,40 +48,43 @@ public:
     /// Saves the settings as a preset in the file that the user chose in the desktop's file dialog. The editor asks
     /// before it replaces a file that it has neither opened nor saved. Errors go to the log.
     void save_as(const std::filesystem::path& path);
-    /// Writes a screenshot of the window, or of a part, as a PNG file beside the preset, and copies it to the
-    /// clipboard. Errors go to the log.
-    /// @param request the part of the window, in units of the screen
+    /// Writes a screenshot of the window, or of a part, as a PNG file into the folder of the preset file, and copies it
+    /// to the clipboard. Errors go to the log.
+    /// @param request the part of the window, in ImGui's units
     /// @param window picture of the window, top row first
-    /// @param pixels number of pixels of `window` per unit of the screen
+    /// @param pixels number of pixels of `window` per unit of ImGui
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
     /// Draws the cross-section of the probed pixel, with verdict and legend, in a readable size and writes it to a
-    /// file. Returns false and does nothing if `request` is for another screenshot, or no cross-section is shown.
+    /// file. Returns false and does nothing if `request` is for another kind of screenshot, or no cross-section is
+    /// shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
-    /// Looks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
+    /// Checks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
     /// true if the editor has to be drawn again. @param now_s time of a steady clock, seconds
     bool follow_scene_files(double now_s) { return scenes_.follow_files(now_s); }
-    /// Checks whether other programs have saved the scene's files again. Call regularly, also while nothing is drawn.
-    /// Returns true if the editor has to be drawn again.
+    /// Checks at the present time whether other programs have saved the scene's files. Call regularly, also while
+    /// nothing is drawn. Returns true if the editor has to be drawn again.
     bool follow_scene_files();
-    /// Returns true if shader files have been saved since the last frame.
+    /// Reads changed shader files again. Returns true if shader files have changed since the last drawn frame, so that
+    /// the scene has to be drawn again.
     bool poll_shaders() { return frames_.poll_shaders(); }
-    /// Returns true while a scene is read or imported, or the thread of a cancelled one has not ended.
+    /// Returns true while a scene is read or imported, or the thread of a cancelled loading has not ended yet.
     bool loading() const { return scenes_.loading().busy() || import_.busy(); }
-    /// Returns true if the next fulfil() has a loaded scene, or the progress of loading has changed.
+    /// Returns true if the next fulfil() will have a loaded scene, or the progress of loading has changed.
     bool loading_moved() const { return scenes_.loading().has_news() || import_.has_news(); }
-    /// Returns true if the progress of the first picture has changed.
+    /// Returns true if the progress of drawing the scene's first picture has changed since the last call.
     bool drawing_moved() { return frames_.first_picture_moved(); }
-    /// Returns true while something is measured in the background.
+    /// Returns true while background work runs: measurements, exports, reports, preset pictures, or the diagnosis of
+    /// the probed pixel.
     bool measuring() const {
         return work_.busy() || export_.busy() || report_.busy() || presets_.pictures().busy() ||
                frames_.facts().readings.tracing_probe;
     }
-    /// Returns true if the next fulfil() has results of a background measurement.
+    /// Returns true if the next fulfil() will have results or progress of the work that measuring() lists.
     bool measuring_moved() const {
         return work_.has_news() || export_.has_news() || report_.has_news() || presets_.pictures().has_new_pictures() ||
                frames_.probe_moved();
     }
-    /// Waits until nothing is being measured.
+    /// Waits until the background work that measuring() lists has ended.
     void finish_measuring() const {
         work_.finish();
         export_.finish();
@@ -88,9 +92,9 @@ public:
         presets_.pictures().wait();
         frames_.finish_probe();
     }
-    /// Returns true while rays are traced, or errors are computed from them.
+    /// Returns true while a frame is drawn, or references, light maps or saved errors are computed for it.
     bool tracing() const { return frames_.tracing(); }
-    /// Returns true if the next fulfil() has traced rays, or the progress of tracing has changed.
+    /// Returns true if the next fulfil() will have a drawn frame, or results or progress of tracing.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
     /// Releases memory that only further drawing would need. Call when nothing has happened for a while.
@@ -104,7 +108,7 @@ public:
         frames_.wait();
         return frames_.poll();
     }
-    /// Returns the background compilation of shaders; null without a thread for frames.
+    /// Returns the background compilation of shaders; null: frames are drawn on the calling thread.
     const ShaderWarmup* warmup() const { return frames_.warmup(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() {
@@ -112,8 +116,8 @@ public:
         import_.finish();
         scenes_.finish();
     }
-    /// Checks that there is a scene. @throws Error if not. An editor without a window also throws if the first scene
-    /// lacks something that the options name
+    /// Checks that a scene is loaded. @throws Error if not. An editor without a window also throws if the first scene
+    /// lacks an object or camera that the options name
     void require_scene() const { scenes_.require(); }
     /// Returns the remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
@@ -123,9 +127,11 @@ public:
     /// Writes autosave, workspace and session report to disk at once. Call before the program ends without end(), for
     /// example when the X server is lost. Errors go to the log.
     void save_before_crash();
-    /// Remembers the window's size (screen coordinates at scale 1).
+    /// Remembers the window's size and whether it is maximised, for the next start.
+    /// @param width, height pixels divided by the monitor's content scale
     void note_window_size(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
-    /// Writes workspace and report at the end. Settings that no preset holds are offered at the next start.
+    /// Writes the workspace and the session report. Call when the editor ends. The next start offers settings that were
+    /// not saved.
     void end() {
         persistence_.end(state, presets_.would_be_lost());
         session_.write(state.log);

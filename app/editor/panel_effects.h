@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Lists the work that shown panels cause, such as read-backs, as rows of the panel Effects. Each row is needed while
-/// its panel is shown, and has a reason.
+/// Lists the work of all panels, such as read-backs, as rows of the panel Effects. Work that a panel needs now is
+/// marked as drawn, other work as not needed, each with a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
 /// Makes the row of the panel Effects for the search for clusters of wrong pixels.

@@ -29,7 +29,7 @@ public:
     /// Removes a scene or preset from the workspace's recent files. Call when the file no longer exists.
     void drop_recent(const std::string& path);
     /// Records in the workspace file whether the window is maximised and, if not, its size. Call at the editor's end.
-    /// @param width, height screen coordinates at scale 1
+    /// @param width, height pixels divided by the monitor's content scale
     void note_window(int width, int height, bool maximised);
 
     /// Writes changed settings to the autosave file at most every 2 s, and a changed window layout to the workspace

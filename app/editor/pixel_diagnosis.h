@@ -26,7 +26,8 @@ public:
     /// Call after update(). Returns true if the cross-sections are new. @param shown true: a panel shows them
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
     const Sections& sections() const { return sections_; }
-    /// Returns true while the hierarchy is being built. The next update() after ready() has the diagnoses.
+    /// Returns true while the ray-tracing hierarchy is being built. Once ready() returns true, the next update()
+    /// computes the diagnoses.
     bool tracing() const { return building_.wanted(); }
     bool ready() const { return building_.ended(); }
     void wait() const { building_.wait(); }
@@ -35,7 +36,7 @@ private:
     using Casters = std::shared_ptr<const ReferenceScene>;
 
     std::vector<PixelDiagnosis> diagnoses_;
-    Sections sections_;  ///< null: not laid out for the present diagnoses
+    Sections sections_;  ///< null: not computed for the present diagnoses
     Casters casters_;
     std::uint64_t building_key_ = 0;
     Job<Casters> building_;

@@ -50,7 +50,7 @@ private:
     std::shared_ptr<Drawn> drawn_ = std::make_shared<Drawn>();
     std::map<std::string, gl::Texture> textures_;
     std::set<std::string> failed_;
-    Job<int> job_;  ///< last: joined first
+    Job<int> job_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

@@ -13,7 +13,8 @@ namespace si {
 /// Knows the built-in presets and the files that the editor has opened or saved.
 class PresetRequestHandler {
 public:
-    /// @param state, memory, scenes the parts of one editor; outlive this object
+    /// Makes a handler that knows the built-in presets.
+    /// @param state, memory, scenes parts of the editor, which must outlive this object
     PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes);
 
     /// Starts to load the scene of a session plan (checked command-line options or preset). The scene is then shown
@@ -34,13 +35,15 @@ public:
     /// shown, also loads the settings that state.compare chooses. Call once a frame. Returns true if the mark or the
     /// compared settings have changed.
     bool update_comparisons();
-    /// Returns the settings that state.compare names, while they are shown; else null.
+    /// Returns the loaded settings that the present ones are compared with (state.compare); null while no comparison is
+    /// shown.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }
     /// Writes the built-in presets, the compared settings and the mark of unsaved settings into `frame`, the data that
     /// panels show. Pointers in `frame` stay valid until the next non-const call.
     void fill(EditorFrame& frame) const;
     /// Updates the small pictures of presets in the gallery, which a background job draws. Needs the window's OpenGL
-    /// context. Returns true if there are new pictures. @param wanted see PresetRequests::want_pictures
+    /// context. Returns true if there are new pictures.
+    /// @param wanted keys of presets without a picture, the most urgent first
     bool update_pictures(std::span<const std::string> wanted);
     const PresetPictures& pictures() const { return pictures_; }
     /// Returns true if quitting would lose unsaved settings. Changes of camera and view alone count only while a preset

@@ -14,14 +14,14 @@
 
 namespace si {
 
-/// Read-back of numbers from the GPU for the panels: probed pixel, loupe, map depths, overlay values. Each is read only
-/// while a panel shows it, once a drawn frame.
+/// Read-back of numbers from the GPU for the panels: probed pixel, loupe, map depths, overlay values. Each number is
+/// read only while a panel shows it, once per drawn frame.
 class EditorReadBack {
 public:
     /// Reads back from the GPU the numbers that `requests` name. Needs the renderer's OpenGL context. Returns true if
     /// numbers have changed.
     /// @param request request that the shown frame was drawn for
-    /// @param result the shown frame @param drawn true: the frame is a new one
+    /// @param result the shown frame @param drawn true: the frame was drawn in this update
     /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
@@ -33,16 +33,16 @@ public:
     /// Drops the numbers read back from the last frame (probe, loupe, map, overlay), but not those of the frozen
     /// camera. Call when there is no drawn frame, for example without a scene.
     void clear();
-    /// Returns true if update() has the diagnosis of the probed pixel.
+    /// Returns true if the next update() will have the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }
-    /// Waits for the diagnosis of the probed pixel.
+    /// Waits until the next update() can diagnose the probed pixel.
     void finish_tracing() const { diagnosis_.wait(); }
     /// Returns all numbers read back so far, with the diagnoses of the probed pixel.
     ReadBackFacts facts() const;
 
 private:
     /// Lists objects that should cast a shadow but leave nothing in the shown light's map (LostCaster), while the list
-    /// of objects is shown. Returns true if new ones were found.
+    /// of objects is shown. Returns true if a new list has objects.
     bool update_lost(const Scene& scene, const PictureState& state, const FrameResult& result);
     // The functions below return true if their numbers have changed.
     /// Probes the chosen pixel of the frame on the GPU: runs its shadow test again with all intermediate numbers.
@@ -66,7 +66,8 @@ private:
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 
-    /// Marks numbers as read from the present frame. Returns true unless they were already.
+    /// Marks numbers as read from the present frame. Returns true if they were last read from another frame.
+    /// @param of number of the frame that they were last read from
     bool is_due(std::uint64_t& of) const { return std::exchange(of, frame_) != frame_; }
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
@@ -77,7 +78,7 @@ private:
     ReadBackFacts facts_;  ///< without the diagnoses, which diagnosis_ has
     EditorPixelDiagnosis diagnosis_;
     std::optional<glm::ivec2> probed_pixel_;
-    TrackedMemory held_;              ///< memory of the numbers
+    TrackedMemory held_;              ///< memory of the images read back
     Settings frozen_settings_;        ///< settings that the frozen camera's texels depend on, as last used
     std::uint64_t frozen_scene_ = 0;  ///< Scene::id
 };

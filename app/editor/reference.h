@@ -32,7 +32,7 @@ public:
 
     /// Stores finished references and light maps, and starts the background job for those that `frame` lacks. Call once
     /// a frame. Returns true if the scene has to be drawn again, or facts() have changed.
-    /// @param drawn true: the frame is a new one; no job starts then, since the user may still be dragging
+    /// @param drawn true: the frame was drawn in this update; no job starts then, since the user may still be dragging
     /// @throws Error if a job has failed
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ReferenceRequests& requests);
@@ -50,9 +50,10 @@ public:
     const TracedSoFar* so_far(const FrameResult& frame) const;
     /// Returns true if the next update() will find a finished result, or the progress has changed.
     bool has_news() const { return job_.has_news(); }
-    /// Waits until no ray is being traced.
+    /// Waits until the background job has ended.
     void wait() const { job_.wait(); }
-    /// Returns the message after ReferenceRequests::save_error once: "Wrote F.json".
+    /// Returns the outcome of saving the error metrics (ReferenceRequests::save_error) as a line for the log, once:
+    /// "Saved F.json". Empty: nothing to report.
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:
@@ -63,8 +64,8 @@ private:
         std::string remark;
         std::shared_ptr<const LightMap> light_map;  ///< null: unchanged
     };
-    /// Stores the result of the background job that traces references, if it has ended. Returns true if it has. @throws
-    /// the job's exception
+    /// Stores the result of the background job that traces references, if the job has ended. Returns true if it has
+    /// ended. @throws the job's exception
     bool poll();
     /// Records which work the background job does, for its progress text and time estimate. Call before the job starts.
     /// @param doing name of the work: "Tracing rays" @param key cache key of the picture that the work is for
@@ -86,18 +87,18 @@ private:
                     const FrameResult& frame) const;
 
     ReferenceCache cache_;                                           ///< used by the job while it runs
-    KeptReferences kept_;                                            ///< of views that may be shown again
-    std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; null: not needed
-    std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< by light; null: not needed
+    KeptReferences kept_;                                            ///< references of views that may be shown again
+    std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< references by light; null: none
+    std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< light maps by light; null: none
     std::set<std::uint64_t> given_up_;                               ///< cache keys of failed and cancelled jobs
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";
     std::uint64_t doing_key_ = 0;          ///< cache key of the job's picture
-    TimeLeft left_;                        ///< started with the job
-    std::shared_ptr<TracedSoFar> so_far_;  ///< of the last reference that was started; null: none
-    std::uint64_t so_far_key_ = 0;         ///< cache key of that reference
-    Job<Found> job_;                       ///< last: joined first
+    TimeLeft left_;                        ///< time estimate of the job
+    std::shared_ptr<TracedSoFar> so_far_;  ///< pixels of the reference that was started last; null: finished, or none
+    std::uint64_t so_far_key_ = 0;         ///< cache key of the reference in `so_far_`
+    Job<Found> job_;                       ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

@@ -20,7 +20,7 @@ public:
     Image image() const { return {texture_.id(), size_.x, size_.y}; }
 
 private:
-    gl::Texture texture_, before_;  ///< the panels may still draw the texture before
+    gl::Texture texture_, before_;  ///< `before_`: the texture before, which panels may still draw
     glm::ivec2 size_{0};
     const TracedSoFar* of_ = nullptr;
     std::size_t tiles_ = 0;  ///< TracedSoFar::tiles() in the picture

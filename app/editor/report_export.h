@@ -12,12 +12,12 @@ namespace si {
 /// time, on a thread with an OpenGL context of its own.
 class ReportExport {
 public:
-    /// @param state of the editor, which lives longer
+    /// Makes a writer; no report is made yet. @param state the editor's state, which must outlive this object
     explicit ReportExport(EditorState& state) : state_(state) {}
 
     /// Starts to make the HTML report that the dialog Report requests. Errors are shown in the dialog
-    /// (ReportFacts::problem). An existing file is replaced only if request.replace is set. @param size of the picture,
-    /// pixels
+    /// (ReportFacts::problem). An existing file is replaced only if request.replace is set.
+    /// @param size size of the picture, pixels
     void start(const Scene& scene, glm::ivec2 size, const ReportRequest& request);
     /// Cancels the report under way; its file stays as it was.
     void cancel() { job_.cancel(); }
@@ -35,7 +35,7 @@ private:
     EditorState& state_;
     std::string path_, problem_, wrote_;
     bool replaces_ = false;
-    Job<std::string, SearchProgress> job_;  ///< text of the page
+    Job<std::string, SearchProgress> job_;  ///< its result: HTML text of the report
 };
 
 }  // namespace si

@@ -14,7 +14,8 @@ inline void report(EditorState& state, const std::string& error) {
     state.window.open_page = Page::Log;
 }
 
-/// Runs the work and reports what it throws. Returns true: the editor has to be drawn again.
+/// Runs `work`, and reports an exception that it throws in the log. Returns true in any case: the editor has to be
+/// drawn again.
 template <typename Work>
 bool attempt(EditorState& state, const Work& work) {
     try {

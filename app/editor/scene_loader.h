@@ -25,19 +25,21 @@ struct Arrival {
     std::optional<Settings> settings = {};  ///< exact settings; the scene's suggested settings are not added
     GuideNote guide = {};
     std::string remark = {};
-    bool step = false;  ///< a step of undo or redo
-    bool lost = false;  ///< the session that a crash has left
-    /// The shown scene again, from its changed files: settings, camera and selection stay.
+    bool step = false;  ///< true: a step of undo or redo shows the scene
+    bool lost = false;  ///< true: restores the session that a crash has left
+    /// Request to read the shown scene's changed files again; settings, camera and selection stay.
     bool reload = false;
-    double aspect = 1;  ///< with `reload`: width / height of the picture, whose camera stays
+    double aspect = 1;  ///< with `reload`: width / height of the picture, needed to keep its camera
 };
 
 /// Owner of the editor's scene: reads scenes in the background, shows a scene once it is loaded, and poses the shown
 /// scene by its settings.
 class SceneLoader {
 public:
-    /// Makes a loader without a scene. @param state, memory parts of the editor; outlive this object @param read reads
-    /// scenes; empty: load_scene() @param strict true: options that the first scene lacks are errors; false: ignored
+    /// Makes a loader without a scene. @param state, memory parts of the editor, which must outlive this object
+    /// @param read reads scenes; empty: load_scene()
+    /// @param strict true: an object or camera that the options name and the first scene lacks is an error; false: the
+    /// log reports it
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
     /// Sets the settings that the editor shows before the first scene is loaded, and starts the undo history with them.
@@ -61,14 +63,14 @@ public:
     void show(Arrival arrival);
     /// Starts to read the shown scene's files again, after another program has saved them. A later poll() shows the new
     /// version; a failure keeps the shown one.
-    /// @param aspect width / height of the picture, whose camera stays @throws Error for a built-in scene
+    /// @param aspect width / height of the picture, needed to keep its camera @throws Error for a built-in scene
     void reload(double aspect);
-    /// Looks whether the shown scene's files were saved again. Returns true if files_changed() is another one than
-    /// before. @param now_s time of a steady clock, seconds
+    /// Checks whether the shown scene's files were saved again. Does nothing while a scene is being loaded. Returns
+    /// true if files_changed() now returns another value than before. @param now_s time of a steady clock, seconds
     bool follow_files(double now_s) { return !loading_.busy() && watch_.update(now_s); }
     /// Returns true if the shown scene's files were saved again since they were read.
     bool files_changed() const { return watch_.changed(); }
-    /// Keeps the shown scene until its files change once more.
+    /// Ignores the present changes of the files: files_changed() returns false until they are saved once more.
     void keep_scene() { watch_.accept(); }
     /// Cancels the loading of a scene and logs that; the shown scene stays. Does nothing if no scene is being loaded.
     void cancel_loading();
@@ -92,7 +94,8 @@ public:
     /// if scene.index, scene.up or scene.unit has changed, else poses the shown scene. @throws Error
     void follow_scene_settings();
 
-    /// Returns true if the editor shows this scene. @param file scene of the file, up axis and unit
+    /// Returns true if the editor shows this scene. @param file scene index, up axis and unit with which the file is
+    /// read
     bool is_shown(const std::string& scene_name, const FileChoices& file) const {
         return has_scene_ && scene_name == state_.scene_name && file == file_;
     }
@@ -116,7 +119,8 @@ private:
     /// Makes a loaded scene the shown one, and applies the settings that `arrival` brings. Resets the probe and the
     /// selection of the scene before.
     void show_scene(Scene loaded, const Arrival& arrival);
-    /// Returns the settings of the scene without any change; program defaults under a preset.
+    /// Returns the settings that count as unchanged: the scene's suggested settings, or the program's defaults under a
+    /// preset.
     Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
     /// Reads the scene's file again in the background, after a change of scene.index, scene.up or scene.unit. If the
     /// shown scene was read with these values already, only cancels the loading under way.
@@ -140,9 +144,9 @@ private:
     SceneSettings posed_;
     std::map<std::string, ObjectSettings> followed_objects_;
     FileChoices file_;       ///< scene.index, scene.up and scene.unit of the shown scene
-    FileChoices seen_file_;  ///< the same settings as last acted upon
+    FileChoices seen_file_;  ///< scene.index, scene.up and scene.unit as last acted upon
     Settings given_;
-    /// Settings that scenes (first) and presets (second, key) have brought, for steps of undo.
+    /// Original settings by scene name and preset key, for steps of undo that return to the scene.
     std::map<std::pair<std::string, std::string>, Settings> given_at_;
     Arrival arrival_;
     SceneLoading loading_;

@@ -12,7 +12,7 @@ namespace si {
 /// of the files at most once a second, and opens none of them.
 class SceneWatch {
 public:
-    static constexpr double kSeconds = 1;  ///< shortest time between two looks
+    static constexpr double kSeconds = 1;  ///< shortest time between two checks of the files
 
     /// Starts to watch these files, in place of earlier ones.
     /// @param files paths, each with its size and time (FileStamp) when it was read; empty: watches nothing
@@ -21,16 +21,16 @@ public:
     /// before.
     /// @param now_s time of a steady clock, seconds
     bool update(double now_s);
-    /// Returns true if files were saved again since they were read, all exist, and none has changed between the last
-    /// two looks: a file that is still being written counts later.
+    /// Returns true if a watched file was saved again since it was read, all files exist, and none has changed between
+    /// the last two checks. A file that is still being written therefore counts later.
     bool changed() const { return changed_; }
     /// Accepts the watched files as they are now: changed() returns false until they are saved once more. Call if the
     /// user keeps the shown scene.
     void accept();
 
 private:
-    std::vector<StampedFile> read_;               ///< as they were read
-    std::vector<std::optional<FileStamp>> seen_;  ///< at the last look; empty: none was taken
+    std::vector<StampedFile> read_;               ///< watched files, with size and time when they were read
+    std::vector<std::optional<FileStamp>> seen_;  ///< stamps at the last check; empty: not checked yet
     double due_s_ = 0;
     bool changed_ = false;
 };

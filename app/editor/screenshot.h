@@ -10,10 +10,11 @@
 namespace si {
 
 /// Returns a copy of a rectangle of the window's picture, clipped to the picture.
-/// @param rect the rectangle, units of the screen @param pixels number of pixels of `window` per unit of the screen
+/// @param rect the rectangle, in ImGui's units @param pixels number of pixels of `window` per unit of ImGui
 ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels);
 
 /// Writes a picture into `folder` as SCENE-PART-NUMBER.png, with the first number that no file has. Returns its path.
+/// @param of part of the editor that the picture shows: PART
 /// @param scene the key of a built-in scene, or a path @param svg the same drawing as SVG, for a file of the same name;
 /// empty: none
 /// @throws Error

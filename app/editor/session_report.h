@@ -27,8 +27,8 @@ public:
     }
     /// Counts a frame of the editor.
     void note_frame() { ++frames_; }
-    /// Counts references: a trace that begins, or begins again. @param progress progress of the trace under way, 0..1;
-    /// none: no rays are traced
+    /// Counts traced references: each trace that begins, or begins again.
+    /// @param progress progress of the trace under way, 0..1; none: no rays are traced
     void note_tracing(std::optional<double> progress) {
         if (progress && (!tracing_ || *progress < *tracing_)) ++traces_;
         tracing_ = progress;

@@ -47,7 +47,7 @@ private:
     std::deque<WarmupFrame> queue_;
     std::size_t done_ = 0, queued_count_ = 0;
     bool working_ = false;
-    std::jthread thread_;  ///< last: ends before what it uses
+    std::jthread thread_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

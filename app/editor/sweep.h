@@ -32,9 +32,9 @@ public:
     void cancel() {
         if (thread_) thread_->cancel_sweep();
     }
-    /// Measures error and time of the present settings for the panel Frontier in the background, unless that is done
-    /// already. After that it measures the pinned settings and the defaults of the chosen engine, which the plot marks
-    /// beside them. A measurement of other settings is cancelled. Call each frame.
+    /// Measures error and time of the present settings in the background, for the panel Frontier, unless they are
+    /// measured already. Then measures the pinned settings and the defaults of the chosen engine, which the plot marks
+    /// beside the present settings. Cancels a measurement of other settings. Call each frame.
     void measure_present(const Scene& scene, const EditorState& state);
     /// Stops measuring the present settings, the pinned ones and the engine's defaults. Call when no panel shows them.
     void stop_measuring_present();
@@ -46,7 +46,7 @@ public:
 
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
     bool busy() const { return thread_ && thread_->busy(); }
-    /// Returns true if update() has new results of the measuring thread.
+    /// Returns true if the next update() will have new results of the measuring thread.
     bool has_news() const { return thread_ && thread_->version() != seen_; }
     /// Waits until the measuring thread has no work.
     void wait() const {
@@ -113,14 +113,14 @@ private:
     std::filesystem::path parent_;
     bool temporary_ = false;
     std::set<std::filesystem::path> made_;  ///< folders that this run has made
-    std::shared_ptr<const Scene> scene_;    ///< the last one that was handed over
+    std::shared_ptr<const Scene> scene_;    ///< scene that the measuring thread got last
     std::optional<MeasuringThread::Picture> followed_;
     std::unique_ptr<const Shown> shown_;
     std::optional<SweepResults> results_;
     std::optional<CaseNumbers> present_;
-    std::vector<Finished> finished_;                 ///< the last ones, the present one at the end
+    std::vector<Finished> finished_;                 ///< last measurements of present settings, newest last
     std::optional<MeasuringThread::Picture> mark_;   ///< marked settings that are being measured
-    std::vector<Finished> marks_;                    ///< measured settings that were never the present ones
+    std::vector<Finished> marks_;                    ///< measurements of marked settings
     std::vector<MeasuringThread::Picture> refused_;  ///< marked settings that cannot be measured
     /// Cached result of engine_defaults(), with the settings, engine and scene that it belongs to.
     struct EngineDefaults {
@@ -128,12 +128,12 @@ private:
         double angle_deg = 0;
         Settings over;
         std::uint64_t scene = 0;
-        std::optional<Settings> are;  ///< none: they cannot be given
+        std::optional<Settings> are;  ///< defaults of the engine; none: they cannot be applied
     };
     EngineDefaults engine_;
     SweepFacts facts_;
     std::uint64_t seen_ = 0;        ///< version of the measuring thread's status as last seen
-    std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
+    std::uint64_t seen_sweep_ = 0;  ///< Status::sweep of the measuring thread as last seen
     bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
     CostCase seen_timed_ = kFrontierCost;
@@ -141,7 +141,7 @@ private:
     std::optional<PinnedSettings> seen_pinned_;
     const EngineProfile* seen_engine_ = nullptr;
     double seen_angle_deg_ = 0;     ///< reference angle of the engine's numbers
-    bool marks_are_known_ = false;  ///< nothing that is marked beside the present settings is left to measure
+    bool marks_are_known_ = false;  ///< all marked settings are measured, or cannot be measured
     Settings compared_;             ///< settings last compared with the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< results have arrived since facts_ was made

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Uploads an image to a new texture for the panels. The texture has the bottom row first, as the renderer's pictures.
-/// Needs a current OpenGL context.
+/// Uploads an image to a new texture for the panels. The texture has the bottom row first, like the renderer's
+/// pictures. Needs a current OpenGL context.
 /// @param image top row first @throws gl::OutOfMemory
 gl::Texture upload_picture(const ByteImage& image);
 
