@@ -14,11 +14,12 @@ class CaseSessions {
 public:
     using Values = std::vector<std::pair<std::string, std::string>>;  ///< SweepCase::values
 
-    /// Makes the sessions of a sweep's cases. @param plan the plan with scene and settings that all cases share
+    /// Makes the loader for a sweep's cases, which loads nothing yet. @param plan scene and settings that all cases
+    /// share
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
-    /// Adds a scene that is loaded already, so that prepare() need not read its file. @param as scene settings that the
-    /// scene was posed with: index in the file, up axis, unit, animation, time, placement
+    /// Adds a scene that is loaded already, so that prepare() need not read its file. @param as scene settings with
+    /// which the scene was loaded and posed: index in the file, up axis, unit, animation, time, placement
     void add_scene(Scene scene, const SceneSettings& as) {
         loaded_.insert_or_assign(file_choices(as), Loaded{std::move(scene), as, {}});
     }
@@ -29,13 +30,13 @@ public:
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Prepares one case of a sweep for drawing: poses the scene and composes the settings. Loads the scene again only
-    /// if scene.index, scene.up or scene.unit differs.
+    /// Prepares one case of a sweep for drawing: poses the scene and composes the settings. Reads the scene's file only
+    /// at the first use of each combination of scene.index, scene.up and scene.unit.
     /// @param values key and value of each varied setting @throws UsageError, Error as open_session()
     Prepared prepare(const Values& values);
 
-    /// Checks the varied values of scene, camera and objects against the scene, so that errors appear before a sweep's
-    /// first measurement. @throws UsageError, Error
+    /// Checks that the scene has what the axes vary, such as animations, cameras and objects, so that errors appear
+    /// before a sweep's first measurement. @throws UsageError, Error
     void check(const std::vector<SweepAxis>& axes);
 
 private:

@@ -22,7 +22,8 @@ struct Column {
     std::function<const Spread*(const CaseNumbers&)> bounded = {};  ///< distribution of the value; null: not measured
 };
 
-/// Keys of the columns with the time of the shadows: while the light moves, and while only the camera does.
+/// Keys of columns with shadow times: while the light moves, as a multiple of the base case's time, and while only the
+/// camera moves.
 inline constexpr const char* kMovingShadowColumn = "shadow.moving_ms.median";
 inline constexpr const char* kOfBaseColumn = "shadow.of_base";
 inline constexpr const char* kStillShadowColumn = "shadow.still_ms.median";
@@ -35,9 +36,9 @@ const Column* find_column(std::string_view key);
 /// "Time of a frame while the camera moves".
 std::string label_of(const Column& column, CostCase cost);
 
-/// Returns the number that plots show for a column of one case: the distance of the value from the best one, so that
-/// less is better. If the value is within its noise, its upper bound. NaN if it was not measured, or has no best value
-/// (Better::Neither).
+/// Returns the number that plots show for a column of one case; less is better. It is the distance of the value from
+/// the best one, or the upper bound of a value within its noise. NaN if the value was not measured, or if no value is
+/// best (Better::Neither).
 double plotted_value(const Column& column, const CaseNumbers& numbers);
 /// Returns true when a case's value in a column does not differ from 0 by more than its noise. Plots then show its
 /// upper bound.

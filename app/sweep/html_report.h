@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Largest total size of embedded pictures. Cases on the Pareto front come first.
+/// Largest total size of the pictures that the HTML page of a sweep embeds, bytes. Pictures of cases on the Pareto
+/// front come first.
 inline constexpr std::size_t kMaxPictureBytes = std::size_t{24} << 20;
 
 /// Returns the self-contained HTML page of a sweep. Pictures are embedded, those of the Pareto front first, up to

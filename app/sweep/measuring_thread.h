@@ -35,8 +35,8 @@ public:
         CostCase cost = kFrontierCost;  ///< kind of frames to time
     };
     /// Starts a sweep on the measuring thread; a running sweep is cancelled.
-    /// @param inputs plan, timing and folder of the sweep @param scene scene of the first case, which the sweep copies
-    /// @param as scene settings (index, animation, time, placement) under which `scene` is posed
+    /// @param inputs plan, timing and folder of the sweep @param scene loaded scene, which the sweep copies so that its
+    /// file is not read again @param as scene settings (index, animation, time, placement) under which `scene` is posed
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
     /// Stops the running sweep of the measuring thread. Results of finished cases stay in the sweep's journal.
     void cancel_sweep();
@@ -46,13 +46,13 @@ public:
     /// Stops the measurement of a picture on the measuring thread. A running sweep continues.
     void cancel_measurement();
 
-    /// State of the measuring thread: progress and results of the sweep and of the single picture. The version grows
-    /// with each change.
+    /// State of the measuring thread: progress and results of the sweep and of the single picture. `version` grows with
+    /// each change.
     struct Status {
         std::uint64_t version = 0;
         bool sweeping = false;
         SweepProgress progress;
-        std::optional<SweepResults> results;  ///< results of the sweep so far; none yet
+        std::optional<SweepResults> results;  ///< results of the sweep so far; nullopt: none yet
         std::uint64_t sweep = 0;              ///< number of sweeps started
         std::string sweep_problem;            ///< why the sweep ended early
         bool measuring = false;               ///< a picture is being measured

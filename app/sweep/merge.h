@@ -16,12 +16,11 @@ namespace si {
 /// @throws Error when the parts belong to different sweeps, naming two and their difference
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
-/// Returns the journal lines that bring a sweep from the state `known` to one that also has the results of `more`. Both
-/// are states of one sweep. Used to append merged results to a journal.
+/// Returns the journal lines for those results of `more` that `known` lacks. Both are states of one sweep. Used to
+/// append merged results to a journal.
 std::vector<nlohmann::ordered_json> missing_lines(const SweepState& known, const SweepState& more);
 
-/// Returns the numbers of the cases that a sweep has still to measure. A failed case has a result and is not among
-/// them.
+/// Returns the numbers of the cases that a sweep has still to measure. A failed case counts as measured.
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan);
 
 }  // namespace si

@@ -26,7 +26,7 @@ public:
     /// @param seconds_left estimated time left; 0: not known yet @param step present step, for people
     void show(double share, double seconds_left, const std::string& step);
     /// Shows a text on this line of the terminal, in place of the earlier text. @param last true: always prints the
-    /// text; false: skips it if the earlier one is very recent
+    /// text; false: skips it within 0.1 s after the text before (10 s without a terminal)
     void show(std::string text, bool last);
 
 private:

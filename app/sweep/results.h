@@ -11,15 +11,15 @@ namespace si {
 
 inline constexpr const char* kResultsFormat = "shadow-inspector-sweep";
 inline constexpr int kResultsVersion = 1;
-/// Name of the preset in the folder with the settings that all cases share.
+/// File name of the preset, in a sweep's folder, with the settings that all cases share.
 inline constexpr const char* kBasePreset = "base.json";
 
-/// Rounds of timed frames whose times are comparable: complete rounds (each case was drawn), by runs on one machine
-/// with one clock and one kind of frames.
+/// Rounds of timed frames whose times are comparable. In each round every measured case was timed. All rounds have the
+/// same machine, driver, clock and kind of frames.
 using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
-/// Selects the rounds of timed frames by which the cases of a sweep are compared. Only complete rounds of one kind of
-/// frames (CostCase) on one machine count. The kind is that of the latest run with a complete round. The machine is the
-/// one with the most such rounds; if several have equally many, the latest.
+/// Selects the rounds of timed frames by which the cases of a sweep are compared. Only complete rounds with the same
+/// machine, driver, clock and kind of frames (CostCase) count. The kind is that of the latest run with a complete
+/// round. Of several machines, the one with the most complete rounds is chosen; if equally many, the latest.
 RankedRounds ranked_rounds(const SweepState& state);
 /// Selects the complete rounds of timed frames in a sweep that are comparable with a process: same machine, driver,
 /// clock and kind of frames. @param run description of the process
@@ -42,8 +42,8 @@ struct SweepRow {
     std::vector<std::string> notes;
 };
 
-/// Results of a sweep for files and plots: counts, how many rounds of timed frames the ranking compares, the Pareto
-/// front, and one row per case.
+/// Results of a sweep for files and plots: counts of cases and of ranked rounds, the Pareto front, and one row per
+/// case.
 struct SweepResults {
     nlohmann::ordered_json spec;  ///< SweepState::spec
     std::size_t combinations = 0, cases = 0, finished = 0, failed = 0;
@@ -54,7 +54,7 @@ struct SweepResults {
     std::vector<std::pair<RunInfo, int>> runs;  ///< each run with the number of its ranked rounds
     std::string x, y;                           ///< keys of the columns that the plot begins with
     std::optional<ShadowTime> base;             ///< shadow time of base_case()
-    std::optional<std::size_t> base_case;       ///< the plan's case that draws the same; nullopt: none
+    std::optional<std::size_t> base_case;       ///< the plan's case that draws the same as base_case(); nullopt: none
     std::vector<std::size_t> frontier, tied;    ///< numbers of cases on the Pareto front, and tied with it
     std::vector<SweepRow> rows;                 ///< by number
 };
@@ -66,11 +66,11 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan);
 /// is written.
 nlohmann::ordered_json results_json(const SweepResults& results);
 
-/// Converts the time of the shadows alone to JSON {moving_ms, still_ms, forced_ms, of_base}. A ratio `of_base` within
-/// the noise is null.
+/// Converts the time of the shadows alone to JSON {moving_ms, still_ms, forced_ms, of_base}. `of_base` is null if it is
+/// within the noise.
 nlohmann::ordered_json shadow_json(const ShadowTime& time);
 
-/// Formats the results of a sweep as CSV: a header and one line per case (RFC 4180 with plain line breaks).
+/// Formats the results of a sweep as CSV: a header and one line per case (RFC 4180, but with LF line ends).
 std::string results_csv(const SweepResults& results);
 
 /// Returns the path of the picture of a sweep's case, relative to the sweep's folder.

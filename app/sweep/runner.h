@@ -27,8 +27,9 @@ public:
     virtual RunInfo run() = 0;
     /// Draws one case of a sweep and measures its error and cost. @throws std::exception: the case has failed
     virtual DrawnCase facts(const SweepCase& c) = 0;
-    /// Times `frames` frames of a case after warm-up frames, and as many pairs of frames with and without shadows.
-    /// @throws std::exception: the case has failed
+    /// Measures the times of one case of a sweep after warm-up frames: of `frames` frames, and of the shadows alone by
+    /// as many pairs of frames with and without shadows.
+    /// @param cost kind of frames to time @throws std::exception: the case has failed
     virtual CaseTimes time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
@@ -44,8 +45,8 @@ struct SweepProgress {
 /// Runner that measures a sweep in steps and appends each result to the sweep's journal.
 class SweepRunner {
 public:
-    /// Prepares the steps of a sweep: cases without results, then rounds of timed frames. @param retry_failed measures
-    /// failed cases again @param folder folder of the journal and the pictures
+    /// Prepares the steps of a sweep: cases without results or pictures, then rounds of timed frames.
+    /// @param retry_failed true: failed cases are measured again @param folder folder of the journal and the pictures
     SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
                 Journal& journal, std::filesystem::path folder);
     /// Runs the next step of the sweep: measures error and cost of one case, or times some frames of one case. Returns
@@ -69,7 +70,7 @@ private:
     /// Writes the description of this process (machine, driver, clock) to the sweep's journal, unless it is there
     /// already. Called before each result.
     void record_run();
-    /// Updates the estimated seconds until the sweep ends, from the time that its steps took so far.
+    /// Updates the estimated seconds until the sweep ends, from the durations of its steps so far.
     void estimate();
 
     const SweepPlan& plan_;

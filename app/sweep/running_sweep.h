@@ -9,11 +9,12 @@
 
 namespace si {
 
-/// Widths of a report's pictures in pixels: of the scene, and of the artefacts.
+/// Widths of the two pictures of each case in a sweep's report, pixels: the thumbnail, and the frame with wrong pixels
+/// in colour.
 inline constexpr int kThumbnailWidth = 320, kArtefactsWidth = 640;
 
-/// Meter for the cases of a sweep that uses the program's renderer. It draws each case, compares it with the reference
-/// and times its frames.
+/// CaseMeter that measures the cases of a sweep with the program's renderer. It draws each case, compares it with the
+/// reference and times its frames.
 class RenderedCases : public CaseMeter {
 public:
     RenderedCases(Measurer& measurer, const DriverInfo& driver, CaseSessions& sessions)
@@ -44,11 +45,12 @@ public:
     /// Journal::Journal()
     RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers = {});
 
-    /// Runs the next step of the sweep (see SweepRunner::step). @returns false when the sweep is done
+    /// Runs the next step of the sweep: measures error and cost of one case, or times some frames of one case. Returns
+    /// false when the sweep is done.
     bool step() { return runner_.step(); }
     /// Returns the progress of the sweep.
     const SweepProgress& progress() const { return runner_.progress(); }
-    /// Returns all results so far.
+    /// Returns the results of the sweep so far, as its journal records them.
     const SweepState& state() const { return journal_.state(); }
     /// Returns the inputs that the sweep was made with.
     const Inputs& inputs() const { return inputs_; }

@@ -14,7 +14,8 @@
 
 namespace si {
 
-/// Part of a sweep that one of several machines measures: part `index` of `count`. Case n belongs to part n mod count.
+/// Part of a sweep that one of several machines measures: part `index` of `count`. Case n, counted from 0, belongs to
+/// part n mod count + 1.
 struct Shard {
     int index = 1, count = 1;  ///< index from 1
     /// Returns true if the case belongs to this shard of the sweep.

@@ -18,13 +18,13 @@ namespace si {
 
 inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
-/// Times of some frames of one case (combination of settings) of a sweep, drawn in one round. A round draws every case
+/// Times of some frames of one case (combination of settings) of a sweep, drawn in one round. A round times every case
 /// once, so that drift affects all cases equally.
 struct RoundTimes {
     int round = 0;
     std::string run;
     TimeSamples samples;
-    ShadowSamples shadow = {};  ///< empty in journals from before shadow times
+    ShadowSamples shadow = {};  ///< empty in journals of versions without shadow times
 };
 
 /// Error metrics of one case (combination of settings) of a sweep, with the noise of the ray-traced reference.
@@ -62,8 +62,8 @@ struct CaseState : CaseErrorAndCost {
     bool is_measured() const { return finished && failed.empty(); }
 };
 
-/// Describes the first difference between two measurements of one case of a sweep; empty: they agree. Only error and
-/// cost count, since times may differ.
+/// Describes the first difference between two measurements of one case of a sweep; empty: they agree, or one of them
+/// has failed or is unfinished. Only error and cost count, since times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
 
 /// Description of a process that measures a sweep: its machine, start, driver and clock. Decides whether times are
@@ -75,8 +75,8 @@ struct RunInfo {
     bool software = false;             ///< the driver draws on the CPU
     double load = 0;                   ///< load of the machine at the start, running processes per core
     CostCase cost = CostCase::Forced;  ///< kind of frames that the process timed
-    /// Returns true if frame times that this process and the other one measured are comparable: same machine, driver,
-    /// clock and kind of frames.
+    /// Returns true if the frame times of this process and of `other` are comparable: same machine, driver, clock and
+    /// kind of frames.
     bool comparable_with(const RunInfo& other) const;
 };
 
@@ -96,12 +96,12 @@ struct SweepState {
     std::string plan;             ///< plan_key()
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;   ///< by number in the plan
-    std::vector<RoundTimes> base_turns;       ///< of base_case(), where it is none of the plan's cases
+    std::vector<RoundTimes> base_turns;       ///< times of base_case(), if it is none of the plan's cases
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
     /// Adds the content of one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning,
-    /// and std::exception for an unknown line
+    /// and std::exception for an unknown or faulty line
     void apply(const nlohmann::ordered_json& line);
     /// Finds a process that measured cases of the sweep, by the id that the journal gives it; null: unknown.
     const RunInfo* run(const std::string& id) const;
@@ -126,11 +126,11 @@ nlohmann::ordered_json facts_line(std::size_t case_number, const CaseErrorAndCos
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the line of a sweep's journal that records the times of some frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const RoundTimes& turn);
-/// Makes the line of a sweep's journal that records the times of some frames of base_case(). The shadow times of all
-/// cases are also given as multiples of its time.
+/// Makes the line of a sweep's journal that records the times of some frames of base_case(), whose shadow time is the
+/// unit for multiples of costs.
 nlohmann::ordered_json base_turn_line(const RoundTimes& turn);
 
-/// Number of crashes after which a case counts as failed.
+/// Number of crashes after which a case of a sweep counts as failed.
 inline constexpr int kMaxBegins = 3;
 
 }  // namespace si
