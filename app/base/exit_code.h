@@ -9,9 +9,9 @@ namespace si {
 /// signal.
 enum class ExitCode {
     Done = 0,
-    Failed = 1,         ///< a file, a value in a file, or the driver stood in the way
+    Failed = 1,         ///< a file, a value in a file, or the driver caused an error
     WrongUsage = 2,     ///< the command line is wrong
-    LimitExceeded = 3,  ///< `check` compared everything, and a limit is exceeded
+    LimitExceeded = 3,  ///< `check` measured everything, and an error exceeds its limit
 };
 
 /// Returns the number of an exit code, as a process returns it.

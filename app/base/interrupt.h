@@ -19,7 +19,7 @@ public:
     [[noreturn]] static void end();
 };
 
-/// Returns true when a signal has arrived since the last InterruptGuard was made.
+/// Returns true if SIGINT, SIGTERM or SIGHUP has arrived since the last InterruptGuard was made.
 bool was_interrupted();
 
 }  // namespace si

@@ -31,9 +31,10 @@ inline std::string exception_message(const std::exception_ptr& problem) {
     }
 }
 
-/// Background job: runs one piece of work at a time on a thread of its own. Starting another one cancels the present
-/// one and begins when that has ended. Only wait() and the destructor block. All calls come from one thread.
-/// @tparam T result of the work @tparam Progress progress reports; a number is a share, 0..1
+/// Background job: runs one piece of work at a time on a thread of its own. Newly started work cancels the present
+/// work, and begins once the cancelled work has ended. Only wait() and the destructor block. Make all calls from one
+/// thread.
+/// @tparam T result of the work @tparam Progress type of progress reports; a number is the share done, 0..1
 template <typename T, typename Progress = double>
 class Job {
 public:
@@ -54,8 +55,9 @@ public:
     /// Cancels the work and joins its thread.
     ~Job() { drop(); }
 
-    /// Starts work; earlier work is cancelled and its outcome dropped. @throws std::system_error when the system has no
-    /// thread left
+    /// Starts work; earlier work is cancelled and its outcome dropped. @param first progress until the work reports
+    /// some
+    /// @throws std::system_error if the system cannot start another thread
     void start(Work work, Progress first = {}) {
         bool launch = false;
         {
@@ -143,14 +145,14 @@ private:
     struct Shared {
         std::mutex mutex;
         std::condition_variable changed;
-        Work next;              ///< begins when the present work has ended
+        Work next;              ///< work that begins when the present work has ended
         std::stop_source stop;  ///< stops the work that was started last
         Progress progress{};
         std::optional<Outcome> outcome;
         bool working = false, wanted = false, moved = false;
     };
 
-    /// Returns true if two progress reports differ visibly: numbers by one percent.
+    /// Returns true if two progress reports differ visibly: numbers in whole percent, reports of other types always.
     static bool differs_visibly(const Progress& before, const Progress& now) {
         if constexpr (std::is_arithmetic_v<Progress>)
             return int(before * 100) != int(now * 100);
@@ -196,7 +198,7 @@ private:
     }
 
     std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
-    std::jthread thread_;  ///< last: ends before what it uses
+    std::jthread thread_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace si

@@ -21,7 +21,7 @@ inline constexpr int kMaxJsonDepth = 32;
 /// numbers out of range, repeated members, and text after the end
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
-/// Converts each element of a range to JSON by `convert`, in an array.
+/// Returns a JSON array of the elements of a range, each converted by `convert`.
 template <class Range, class Convert>
 nlohmann::ordered_json json_list(const Range& range, const Convert& convert) {
     auto list = nlohmann::ordered_json::array();

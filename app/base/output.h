@@ -65,18 +65,19 @@ void write_png(const std::filesystem::path& path, const ByteImage& image);
 /// Encodes an image's first channel as portable float map (PFM): little-endian, bottom row first.
 std::string pfm_bytes(const FloatImage& image);
 
-/// Checks that an output path ends like a bundle (a frame of an engine as files): .bundle for a folder, or .zip.
+/// Checks that an output path has the extension of a bundle (one frame of an engine as files): .bundle for a folder, or
+/// .zip.
 /// @throws UsageError
 void require_bundle_name(const std::string& path);
 
-/// Returns true if a path ends like an image file of floats: .pfm or .exr.
+/// Returns true if a path has the extension of an image file of floats: .pfm or .exr.
 bool is_float_file(const std::filesystem::path& path);
 
 /// Writes an image's first channel as a PFM or OpenEXR file; the extension of `path` chooses the format. @throws Error
 void write_floats(const std::filesystem::path& path, const FloatImage& image);
 
 /// Writes an image's first channel to a file. The extension of `path` chooses the format: PFM, OpenEXR, or 8-bit grey
-/// PNG (0 black to 1 white). @throws Error
+/// PNG (0 black to 1 white; NaN black). @throws Error
 void write_scalar_image(const std::filesystem::path& path, const FloatImage& image);
 
 /// Reads a whole text file. @throws Error for a missing, unreadable or special file, or one above 16 MiB

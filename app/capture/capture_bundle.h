@@ -22,8 +22,9 @@ Json list_capture(const std::filesystem::path& capture, const CaptureProgress& p
 /// @throws UsageError, Error
 void require_new_bundle(const std::filesystem::path& path);
 
-/// Writes shadow maps of a RenderDoc capture with scene and camera as a bundle (a frame as files). The bundle appears
-/// whole or not at all. Returns the summary that the child process reports (run_capture_helper()), a JSON object.
+/// Writes shadow maps of a RenderDoc capture with scene and camera as a bundle (the files of one frame). The bundle
+/// appears whole or not at all. Returns the summary that the child process reports (run_capture_helper()), a JSON
+/// object.
 /// @param picks numbers of maps in the list of list_capture(); empty: all
 /// @param output new folder that ends in .bundle
 /// @throws Error with one sentence @throws Cancelled when `progress` returns false
@@ -34,7 +35,8 @@ Json write_capture_bundle(const std::filesystem::path& capture, const std::vecto
 /// directional". @param candidate an element of list_capture()
 std::string candidate_text(const Json& candidate);
 
-/// Formats the check of one captured map as text: the importer draws the casters again and compares the texels.
+/// Formats the check of one captured map as text. In the check, the importer draws the casters again and compares the
+/// texels.
 /// @param gate an element of `gate` in the summary of write_capture_bundle()
 std::string gate_text(const Json& gate);
 

@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Request to the capture helper, a child process that opens a RenderDoc capture: list its shadow maps, or write some
-/// as a bundle.
+/// Request to the capture helper, a child process that opens a RenderDoc capture: list the capture's shadow maps, or
+/// write some of them as a bundle.
 struct CaptureRequest {
     std::filesystem::path capture;
     bool list = false;             ///< list candidates and write nothing
@@ -30,12 +30,13 @@ struct CaptureLimits {
 struct CaptureReports {
     /// Receives the share 0..1 that is done and a label, at least every 50 ms. Returning false ends the helper.
     std::function<bool(double, const std::string&)> progress;
-    /// Receives each candidate, and the summary of a written bundle (member `done`).
+    /// Receives each shadow map of the list (member `candidate`), or the summary of the written bundle (member `done`).
     std::function<void(const Json&)> line;
 };
 
-/// Opens a capture in a child process and waits for its end. The child has a process group of its own, which is killed
-/// on an error, on a stop and when this process dies. It replays the capture's commands, which runs its shaders.
+/// Opens a capture in a child process and waits for its end. The child replays the capture's commands, which runs its
+/// shaders. The child has a process group of its own, which is killed on an error, on a stop and when this process
+/// dies.
 /// @throws Error one sentence: a missing package, an unreadable capture, a crash, a limit
 /// @throws Cancelled where `progress` returns false
 void run_capture_helper(const CaptureRequest& request, const CaptureReports& reports, const CaptureLimits& limits = {});

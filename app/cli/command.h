@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Function of the command that the command line names.
+/// Function that runs the command which the command line names.
 using Run = std::function<void()>;
 
 /// Makes a validator for an option of the command line that takes a finite number within [min, max]. CLI::Range would
@@ -30,14 +30,15 @@ CLI::Validator one_of(const std::vector<std::string_view>& words);
 /// stores the options' values.
 class CommandParser {
 public:
-    /// Returns the parser's own object, for options that only this command has.
+    /// Returns the CLI11 parser of this command, to add options that no other command has.
     CLI::App& app() { return app_; }
-    /// Adds an option with a value. @param type name of the value in the help
+    /// Adds an option with a value. @param to receives the value @param type name of the value in the help
     template <class T>
     CLI::Option* add_value(const char* name, T& to, const char* type, const std::string& help) {
         return app_.add_option(name, to, help)->type_name(type);
     }
-    /// Adds an option whose value becomes a setting, as by a --set after all others.
+    /// Adds an option whose value is assigned to a setting, like a --set after all others. @param key key of the
+    /// setting
     template <class T>
     CLI::Option* add_setting(const char* name, const char* key, const char* type, const char* help) {
         const auto add = [this, key](const T& value) { sets_.push_back(fmt::format("{}={}", key, value)); };
@@ -51,7 +52,7 @@ public:
     /// rules.
     CLI::Option* add_scene();
     /// Adds --size, the size of the picture in pixels. @param standard size without the option
-    /// @param bytes_per_pixel memory that the command takes, PixelBytes; 0: the command checks it
+    /// @param bytes_per_pixel memory that the command needs (PixelBytes), checked by finish(); 0: the command checks it
     void add_size(PictureSize standard = {}, std::uint64_t bytes_per_pixel = kDrawnPixelBytes);
     /// Adds the option -o to the command, which names the file or folder to write.
     /// @param type name of the value in the help, such as "FILE"

@@ -27,8 +27,8 @@ PictureSize parse_size(const std::string& text);
 /// fit into memory. The numbers were measured with the software rasteriser.
 enum PixelBytes : std::uint64_t {
     kDrawnPixelBytes = 20,     ///< a picture is drawn, read back and written
-    kComparedPixelBytes = 40,  ///< two pictures are
-    kTracedPixelBytes = 170,   ///< rays are traced
+    kComparedPixelBytes = 40,  ///< two pictures are drawn and compared
+    kTracedPixelBytes = 170,   ///< the reference is traced by rays
     kMeasuredPixelBytes = 250  ///< wrong pixels are classified
 };
 
@@ -43,7 +43,8 @@ std::string picture_memory_note(const PictureSize& size, std::uint64_t bytes_per
 void require_picture_memory(const PictureSize& size, std::uint64_t bytes_per_pixel);
 
 /// Parses a pixel "X,Y", counted from the top left. @param size size of the picture that contains the pixel
-/// @param option name of the command-line option, for the error message @throws UsageError, also outside the picture
+/// @param option name of the command-line option, for the error message @throws UsageError, also for a pixel outside
+/// the picture
 std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option = "--pixel");
 
 /// Options that several commands share, as the user gave them on the command line. Each command uses only those that it
@@ -64,7 +65,7 @@ struct RenderOptions : CommandOptions {
     std::string report;       ///< JSON file for facts of the frame; empty: none
     std::string against;      ///< "truth" or a preset to compare the picture with; empty: no comparison
     double swipe = -1;        ///< place of the line between both pictures, 0..1; negative: side by side
-    bool difference = false;  ///< write |A - B| instead
+    bool difference = false;  ///< write the picture of 2 |A - B| instead
     bool look = false;        ///< draw with view.look and view.overlay_blend, as the editor does
     bool fit = false;         ///< fit the contrast of a depth view to the stored depths, and print its range
     std::string fit_camera;   ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
@@ -110,11 +111,11 @@ struct PrecisionOptions : CommandOptions {
 /// precision, for each way to compute the coordinates.
 void run_precision(const PrecisionOptions& options);
 /// Returns the names of the series that `precision --over` accepts: distance, scale and stretch. Each series varies one
-/// setting of the scene.
+/// setting: scene.distance, scene.scale or light.stretch.
 std::vector<std::string_view> precision_series();
 
-/// Options of the command `shimmer`, which measures shimmering edges. Its output is a picture with the share of steps
-/// in which each pixel flips: .png, .pfm or .exr.
+/// Options of the command `shimmer`, which measures shimmering edges. `output` is a picture with the share of steps in
+/// which each pixel flips: .png, .pfm or .exr.
 struct ShimmerCommandOptions : CommandOptions {
     ShimmerOptions shimmer;
 };
@@ -144,7 +145,7 @@ std::vector<std::string_view> tuned_errors();
 const Metric& tuned_error(const std::string& key);
 
 /// Options of the command `advise`, which suggests cheaper settings. With limits its autopilot searches the best
-/// settings; the output is the preset that the autopilot writes.
+/// settings and writes them as a preset, `output`.
 struct AdviseOptions : CommandOptions, SearchLimits {
     std::vector<std::string> vary;  ///< settings that the autopilot varies, as in a sweep; empty: chosen from the scene
     double max_seconds = 100;
@@ -153,8 +154,8 @@ struct AdviseOptions : CommandOptions, SearchLimits {
 /// limit of error or time the autopilot searches the best settings instead.
 void run_advise(const AdviseOptions& options);
 
-/// Options of the command `probe`, which explains the shadow test of one pixel. Its output is a cross-section of the
-/// shadow test of the light that view.light selects, .svg.
+/// Options of the command `probe`, which explains the shadow test of one pixel. `output` is a drawing of the shadow
+/// test's cross-section for the light that view.light selects, .svg.
 struct ProbeOptions : CommandOptions {
     std::string pixel;      ///< "X,Y" from the top left
     bool reference = true;  ///< trace rays, for a verdict and fixes
@@ -163,7 +164,7 @@ struct ProbeOptions : CommandOptions {
 /// whether the pixel is right, and fixes.
 void run_probe(const ProbeOptions& options);
 
-/// Options of the command `list`, which prints a table of the program.
+/// Options of the command `list`, which prints one table of the program, such as settings or presets.
 struct ListOptions : CommandOptions {
     std::string kind;    ///< one of list_kinds()
     std::string prefix;  ///< lists only keys that begin with it
@@ -181,7 +182,7 @@ void run_info(const CommandOptions& options);
 /// approximated, with the reason.
 void run_scene(const CommandOptions& options);
 
-/// Options of the command `contact-sheet`, which draws many models into one picture. The size is that of each tile.
+/// Options of the command `contact-sheet`, which draws many models into one picture. `size` is the size of each tile.
 struct ContactSheetOptions : CommandOptions {
     std::string folder;  ///< folder of the models
     int columns = 8;
@@ -206,8 +207,8 @@ void run_preset_show(const PresetOptions& options);
 void run_preset_diff(const PresetOptions& options);
 /// Runs the command `preset save`: writes the settings given on the command line as a preset file.
 void run_preset_save(const PresetOptions& options);
-/// Options of the command `compare-pictures`, which measures the visible difference of two pictures. Its output is a
-/// heat map of the difference, .png.
+/// Options of the command `compare-pictures`, which measures the visible difference of two pictures. `output` is a heat
+/// map of the difference, .png.
 struct ComparePicturesOptions : CommandOptions {
     std::string picture, other_picture;               ///< PNG files of equal size
     double pixels_per_degree = kFlipPixelsPerDegree;  ///< of visual angle
@@ -216,40 +217,42 @@ struct ComparePicturesOptions : CommandOptions {
 /// the largest.
 void run_compare_pictures(const ComparePicturesOptions& options);
 
-/// Options of the command `compare-maps`, which checks shadow maps of another engine. Its output is a picture of the
-/// differences, .png.
+/// Options of the command `compare-maps`, which compares shadow maps of another engine with maps that this program
+/// draws. `output` is a picture of the differences, .png.
 struct CompareMapsOptions : CommandOptions {
     std::optional<int> light;       ///< index of light.*; none: all lights with imported maps
     int border_texels = 0;          ///< MapCompareOptions::border_texels
     bool leave_out_masked = false;  ///< MapCompareOptions::leaves_out_masked
-    bool check = false;             ///< an error where a map fails the gate
+    bool check = false;             ///< fail if a map fails the gate (MapGate)
 };
-/// Runs the command `compare-maps`: draws a map for each imported shadow map, from the same view of the light. Prints
-/// the differences of each pair.
+/// Runs the command `compare-maps`: draws a map with the view of each imported shadow map, and prints the differences
+/// of each pair. Also prints the bias that the imported maps need. @throws Error if CompareMapsOptions::check is set
+/// and a map fails the gate
 void run_compare_maps(const CompareMapsOptions& options);
 
-/// Options of the command `import-map`, which writes one depth map of another engine as a bundle (a frame as files).
-/// Empty texts stand for options that are not given.
+/// Options of the command `import-map`, which writes one depth map of another engine as a bundle (the files of one
+/// frame). Empty texts stand for options that are not given.
 struct ImportMapOptions : CommandOptions {
     std::string image, light;  ///< image of a map; JSON file of its light
     std::string scene;         ///< built-in key or path of the scene that the map shows
     std::string depth_range, reversed, first_row, matrix, product, stored, up, mirrored;  ///< words of conventions
-    double unit = 0;  ///< lengths of the scene in one of the light's file; 0: not given
-    int pick = 0;     ///< row of the list of readings, from 1; 0: the one that fits
+    double unit = 0;  ///< scene lengths in one length of the light's file; 0: not given
+    int pick = 0;     ///< reading by its row in the printed list, from 1; 0: the one that fits
 };
-/// Runs the command `import-map`: writes one depth map of another engine with its light as a bundle (a frame as files).
-/// It finds conventions that neither file nor user states: depth range, first row, matrix order, axes and unit.
+/// Runs the command `import-map`: writes one depth map of another engine with its light as a bundle (the files of one
+/// frame). It finds the conventions that neither file nor user states: depth range, first row, matrix order, axes and
+/// unit.
 void run_import_map(const ImportMapOptions& options);
 
-/// Options of the command `import-capture`, which writes a RenderDoc capture as a bundle (a frame of an engine as
-/// files). Its output is a folder, .bundle.
+/// Options of the command `import-capture`, which writes a frame that RenderDoc captured as a bundle (the files of one
+/// frame). `output` is a new folder, .bundle.
 struct ImportCaptureOptions : CommandOptions {
     std::string capture;     ///< file that RenderDoc wrote, .rdc
     bool list = false;       ///< print the shadow maps of the capture and write nothing
     std::vector<int> picks;  ///< numbers of the list; empty: all
 };
 /// Runs the command `import-capture`: replays a RenderDoc capture and writes its shadow maps, scene, camera and picture
-/// as a bundle (a frame of an engine as files).
+/// as a bundle (the files of one frame).
 void run_import_capture(const ImportCaptureOptions& options);
 
 /// Options of the command `export`, which writes a scene as glTF, or a frame with its shadow maps as files (a bundle).
@@ -276,7 +279,7 @@ void run_docs(const DocsOptions& options);
 /// fit, overlay), or only one. The whole page takes a minute. The same program on the same driver writes the same
 /// bytes.
 void run_docs_techniques(const DocsOptions& options);
-/// Escapes a text so that it can stand in a cell of a Markdown table.
+/// Escapes a text for a cell of a Markdown table.
 std::string markdown_cell(std::string_view text);
 /// Generates the Markdown page of all settings, docs/settings.md.
 std::string settings_page();
@@ -290,7 +293,8 @@ std::string hard_cases_page();
 /// Formats the list of all settings that --help prints below the options of a command.
 std::string settings_help();
 
-/// Options of the command `sweep`, which measures all combinations of some settings. Its output is a folder.
+/// Options of the command `sweep`, which measures all combinations of some settings. `output` is the folder for the
+/// results.
 struct SweepOptions : CommandOptions {
     std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
     std::string shard;              ///< "I/N"; empty: all cases
@@ -301,8 +305,8 @@ struct SweepOptions : CommandOptions {
 /// results and a report into a folder.
 void run_sweep(const SweepOptions& options);
 
-/// Options of the command `merge`, which joins shards (parts of a sweep that several machines measured). Its output is
-/// a folder.
+/// Options of the command `merge`, which joins shards (parts of a sweep that several machines measured). `output` is
+/// the folder for the joined sweep.
 struct MergeOptions : CommandOptions {
     std::vector<std::string> parts;  ///< folders of shards
     bool fresh = false;
@@ -312,7 +316,7 @@ struct MergeOptions : CommandOptions {
 void run_merge(const MergeOptions& options);
 
 /// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and its visibility into a
-/// folder, by default out. Prints a table of the frame's passes and their times.
+/// folder (`output`, by default "out"). Prints a table of the frame's passes and their times.
 void run_overview(const CommandOptions& options);
 
 }  // namespace si

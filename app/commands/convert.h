@@ -13,7 +13,7 @@ namespace si {
 struct ConvertOptions : CommandOptions {
     std::string target;               ///< one of convert_targets()
     std::optional<double> angle_deg;  ///< reference angle; nullopt: from the scene, else 45
-    bool use_scene = true;            ///< false: neither W and D nor error come from the preset's scene
+    bool use_scene = true;            ///< measures map size, angle and error in the scene; false: settings alone
     bool time = true;                 ///< time frames
 };
 

@@ -14,8 +14,9 @@
 
 namespace si {
 
-/// Runs `work(workers, report)` and returns its result. report(share, text) updates the progress line and lets Ctrl+C
-/// stop the work. @param lost a clause for the message after Ctrl+C: "nothing was written"
+/// Runs `work(workers, report)` and returns its result. report(share, text) updates the progress line. Ctrl+C requests
+/// a stop of `workers`; if the work then throws Cancelled, the program ends with a message. @param lost a clause for
+/// the message: "nothing was written"
 template <class Work>
 auto interruptible(const std::string& lost, const Work& work) {
     InterruptGuard interrupt;
@@ -37,8 +38,8 @@ auto interruptible(const std::string& lost, const Work& work) {
     }
 }
 
-/// Ends the program by the signal that stopped its work, once all that was found is printed. Returns if none did.
-/// @param lost a clause for the message: "nothing was written"
+/// Ends the program by the signal that stopped the work (Ctrl+C); returns if there was no signal. Call once the results
+/// so far are printed. @param lost a clause for the message: "nothing was written"
 inline void end_if_interrupted(const std::string& lost) {
     if (!was_interrupted()) return;
     print_to_stderr(fmt::format("shadow-inspector: interrupted; {}\n", lost));

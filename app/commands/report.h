@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Options of the command `report`, which compares presets on one scene. Its output is a page, .html.
+/// Options of the command `report`, which compares presets on one scene. `output` is an HTML page.
 struct ReportOptions : CommandOptions {
     std::vector<std::string> presets;  ///< files or built-in presets; the first one's view is drawn for all
     std::vector<std::string> pixels;   ///< "X,Y" from the top left; empty: one of each cause

@@ -37,9 +37,9 @@ public:
     /// @param mods modifiers that are held (GLFW_MOD_*)
     /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const MouseQueue::When& when);
-    /// Adds a move of the mouse to a place in the window, in screen coordinates.
+    /// Sets the position of the mouse in the window, in screen coordinates, for the events that follow.
     void move(glm::dvec2 to) { mouse_.move(to); }
-    /// Adds that the mouse entered or left the window.
+    /// Records that the mouse has entered or left the window. @param inside true: entered
     void enter(bool inside) { mouse_.enter(inside); }
     /// Adds a turn of the mouse wheel to the queue. @param by notches, horizontal and vertical
     void wheel(glm::dvec2 by) { waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.last_position(), .wheel = by}); }
@@ -58,14 +58,14 @@ public:
     Strokes take_strokes() { return std::exchange(strokes_, {}); }
     /// Returns true if no event waits.
     bool empty() const { return waiting_.empty(); }
-    /// Returns true if the key is held after the present step. @param key GLFW_KEY_*
+    /// Returns true if the key is held after the latest step of next(). @param key GLFW_KEY_*
     bool is_down(int key) const { return key >= 0 && std::size_t(key) < kKeys && held_[std::size_t(key)]; }
 
 private:
     enum class Kind { Button, Key, Character, Wheel };
     /// Input event (mouse button, key, character or wheel) that waits in the queue for an ImGui frame.
     struct Event {
-        Kind kind = Kind::Button;           ///< Button: the change is the next one in the mouse's queue
+        Kind kind = Kind::Button;           ///< Button: details are in the queue of `mouse_`
         std::optional<glm::dvec2> at;       ///< place of the mouse
         Key key;                            ///< for Kind::Key
         std::optional<unsigned> character;  ///< for Kind::Character, and for a text key
@@ -83,11 +83,11 @@ private:
     };
     /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const { return event.kind == Kind::Character || (typing_ && event.character); }
-    /// Returns true if an input event may share one ImGui frame with the events of `run`, so that ImGui does not lose
-    /// their order.
+    /// Returns true if ImGui handles an input event and the events of `run` in their order when they share one ImGui
+    /// frame.
     bool can_join(const Run& run, const Event& event) const;
-    /// Returns true if a key event may share one ImGui frame with the events of `run`, so that ImGui does not lose
-    /// their order.
+    /// Returns true if ImGui handles a key event and the events of `run` in their order when they share one ImGui
+    /// frame.
     bool key_can_join(const Run& run, const Event& event) const;
     /// Adds an input event to those that the next ImGui frame receives, and updates their summary `run`.
     void add_to_step(Run& run, const Event& event);

@@ -16,7 +16,7 @@ namespace si {
 class MouseQueue {
 public:
     static constexpr int kButtons = 5;
-    static constexpr double kDoubleClickSeconds = 0.3;  ///< between presses
+    static constexpr double kDoubleClickSeconds = 0.3;  ///< limit of the time between the presses of a double click
 
     /// Time interval in which a mouse event happened, seconds. Events that wait until the window polls have no exact
     /// time.
@@ -27,9 +27,10 @@ public:
     /// @param mods modifiers that are held (GLFW_MOD_*)
     /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const When& when);
-    /// Adds a move of the mouse to a place in the window, in screen coordinates.
+    /// Sets the position of the mouse in the window, in screen coordinates, for the events that follow.
     void move(glm::dvec2 to) { at_ = to; }
-    /// Adds that the mouse entered or left the window. Outside, its place is unknown.
+    /// Records that the mouse has entered or left the window. Outside the window, its position is unknown unless a
+    /// button is held. @param inside true: entered
     void enter(bool inside) { inside_ = inside; }
 
     /// State of the mouse in one ImGui frame, with at most one new press or release.

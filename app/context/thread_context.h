@@ -13,7 +13,8 @@ struct ThreadContext {
     virtual ~ThreadContext() = default;
 };
 
-/// Function that makes a ThreadContext; called on the thread that will use it. Empty if the driver offers none.
+/// Function that makes a ThreadContext; called on the thread that will use the context. Empty if the driver offers no
+/// second context.
 /// @throws Error when the driver refuses
 using ThreadContextMaker = std::function<std::unique_ptr<ThreadContext>()>;
 

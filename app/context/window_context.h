@@ -27,12 +27,13 @@ public:
 
     /// Returns the GLFW handle of the window.
     GLFWwindow* handle() const { return window_; }
-    /// Returns a function that makes an OpenGL context for one background thread, which shares objects with the
-    /// window's. Empty if the driver offers none. The window must outlive that context.
+    /// Returns a function that makes an OpenGL context for one background thread, which shares textures and buffers
+    /// with the window's context. The function is empty if the driver offers no second context. The window must outlive
+    /// the new context.
     ThreadContextMaker sharing() const;
-    /// Ends the sleep of the thread in wait_events(). Any thread may call it.
+    /// Wakes the thread that sleeps in wait_events(). Any thread may call it.
     static void wake();
-    /// Returns true once the user has closed the window.
+    /// Returns true once the user has closed the window, or the X server has destroyed it.
     bool should_close() const;
     /// Sets the text of the window's title bar.
     void set_title(const std::string& title);
@@ -43,10 +44,12 @@ public:
     void poll_events();
     /// Shows the drawn frame in the window (swaps the buffers).
     void swap();
-    /// Hides the mouse cursor and lets it move without limits while the user flies the camera, or shows it again.
+    /// Hides the mouse cursor so that the mouse moves without limits, while the user flies the camera; or shows the
+    /// cursor again.
     /// @param held true: hide the cursor; false: show it at its old place
     void hold_cursor(bool held);
-    /// Returns width and height of the window's framebuffer in pixels; 0 while it is minimised, or once destroyed.
+    /// Returns width and height of the window's framebuffer in pixels; 0 while the window is minimised or after it was
+    /// destroyed.
     glm::ivec2 framebuffer_size() const;
     /// Returns width and height of the window in screen coordinates at scale 1. The constructor takes the same numbers,
     /// so that the next start can restore the size.

@@ -10,8 +10,9 @@
 
 namespace si {
 
-/// Makes a text from a file safe inside a one-line comment of generated code, in any language. Control characters, line
-/// ends (U+2028 among them), comment marks, trigraphs and backslashes are replaced. The result has at most 160 bytes.
+/// Makes a text from a file safe inside a one-line comment of generated code, in any language. Control characters and
+/// line ends (U+2028 among them) become blanks or visible escapes, backslashes become bars, and blanks split comment
+/// marks and trigraphs. Longer texts are cut at 160 bytes before marks are split.
 std::string comment_text(std::string_view text);
 
 /// Formats a number for generated code: the shortest text that gives the same single-precision number.
@@ -28,12 +29,12 @@ struct CodeInput {
     const MapFacts& facts;
     const Settings& settings;
 
-    /// Returns true when the conversion gives the parameter a number.
+    /// Returns true when the conversion gives the engine's parameter a number. @param key EngineParameter::key
     bool has(std::string_view key) const { return values.find(key) != nullptr; }
     /// Returns the value of an engine's parameter as text for the code: the converted number, else the engine's
     /// default. @param key EngineParameter::key
     std::string text(std::string_view key) const;
-    /// Returns the value of a parameter as a float literal of C and C++.
+    /// Returns the value of an engine's parameter (number()) as a float literal of C and C++.
     std::string c_text(std::string_view key) const { return c_float(number(key)); }
     /// Returns the value of an engine's parameter: the converted number, else the engine's default. For a parameter
     /// with named choices it is the index of the choice. @param key EngineParameter::key
@@ -41,7 +42,7 @@ struct CodeInput {
     /// Returns one line of code with "{}" replaced by the value of an engine's parameter. Empty if the conversion has
     /// no number for this parameter. @param key EngineParameter::key
     std::string line(std::string_view line, std::string_view key) const;
-    /// Returns the settings of light view.light.
+    /// Returns the settings of the light that view.light selects.
     const LightSettings& light() const { return settings.lights[std::size_t(settings.view.light)]; }
 };
 

@@ -22,7 +22,7 @@ struct ConvertedMap {
 struct ConvertedMeasure {
     std::string scene;
     int width = 0, height = 0;  ///< of the picture, pixels
-    bool area = false;          ///< compared with a light of a size
+    bool area = false;          ///< compared with the reference of an area light
     double wrong = 0, mae = 0;  ///< share of wrong pixels; mean error of visibility
     std::size_t acne_px = 0;
     std::optional<double> frame_ms;
@@ -30,14 +30,14 @@ struct ConvertedMeasure {
     bool operator==(const ConvertedMeasure&) const = default;
 };
 
-/// Input of a conversion of shadow settings into code of another program. Texts may come from files and be hostile.
+/// Input of a conversion of shadow settings into code of another program. Its texts may come from untrusted files.
 struct ConversionInput {
     std::string preset, title, scene;  ///< empty texts: none
     Settings settings;
     LookupFacts lookup;
     MapFacts facts;                  ///< of the light's first map
-    std::string facts_source;        ///< where W, D come from, a clause
-    std::string angle_source;        ///< where the reference angle comes from, a clause
+    std::string facts_source;        ///< origin of map width W and depth range D, a clause
+    std::string angle_source;        ///< origin of the reference angle, a clause
     std::vector<ConvertedMap> maps;  ///< by view; empty: no scene
     std::optional<ConvertedMeasure> measure;
 };
@@ -52,15 +52,15 @@ struct Conversion {
 
 /// Estimates width W and depth range D of a shadow map, metres, from settings alone, for conversions without a scene.
 /// The setting view.light selects the light. W comes from light.extent, and D from light.near and light.far, if they
-/// are set by hand. Otherwise the defaults of MapFacts hold.
-/// @param[out] source origin of both numbers, a clause
+/// are set by hand. Otherwise W and D have the defaults of MapFacts.
+/// @param[out] source origin of W and D, a clause
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
 /// Lists width, depth range and texels of all shadow maps of a light, for the head of converted code. @param size
 /// texels of each map
 std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size);
 
-/// Returns the reference angle for conversions: 95 % of the lit pixels have no larger angle between normal and light,
-/// degrees. Returns nullopt without a lit pixel.
+/// Returns the reference angle for conversions, degrees: for 95 % of the lit pixels the angle between normal and light
+/// is at most this large. The result is at most 89; nullopt without a lit pixel.
 /// @param cosines values of the overlay n-dot-l, four numbers a pixel @param visibility one number a pixel
 std::optional<double> reference_angle_deg(const FloatImage& cosines, const FloatImage& visibility);
 

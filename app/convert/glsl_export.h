@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Facts of a light and its shadow maps that exported GLSL and C++ code holds as constants.
+/// Facts of a light and its shadow maps that become constants in exported GLSL and C++ code.
 struct LookupFacts {
     LightType type = LightType::Directional;
     ViewChoice choice = ViewChoice::One;
@@ -41,14 +41,14 @@ struct ExportedCode {
 /// Returns the reason why the shadow look-up of these settings cannot be exported as GLSL code; empty: it can.
 std::string lookup_export_refusal(const Settings& settings);
 
-/// Generates GLSL code of the shadow look-up for use in another program. The text has one function to call,
+/// Generates GLSL code of the shadow look-up for use in another program. The code has one function to call,
 /// shadow_visibility(), for the light that view.light selects. Kernel and bias come from shaders/; numbers of the
-/// settings become constants. Needs GLSL 4.50; the text has no #version line.
+/// settings become constants. Needs GLSL 4.50; the code has no #version line.
 /// @throws Error with lookup_export_refusal()
 ExportedCode lookup_glsl(const Settings& settings, const LookupFacts& facts);
 
-/// Generates a C++17 header for use in another program. It has the shadow settings as constants and the structures of
-/// the uniforms that the code of lookup_glsl() reads.
+/// Generates a C++17 header for use in another program. The header has the shadow settings as constants, and structures
+/// for the uniforms of the code of lookup_glsl().
 std::string settings_cpp(const Settings& settings, const LookupFacts& facts);
 
 }  // namespace si

@@ -32,32 +32,33 @@ PixelLimit parse_pixel_limit(const std::string& text, std::string_view option);
 /// reference; a limit in percent is a share of them
 std::size_t allowed_pixels(const PixelLimit& limit, std::size_t compared);
 
-/// Limits on shadow errors for one run of the command `check`. The numbers are those that `measure` prints.
+/// Limits on shadow errors for one run of the command `check`, which measures errors as the command `measure` does.
 struct CheckLimits {
     std::optional<PixelLimit> acne;       ///< pixels whose cause is acne
     std::optional<PixelLimit> wrong;      ///< pixels of false shadow and false light, whatever the cause
-    std::optional<double> error;          ///< distance of `metric` from its best value
-    const Metric* metric = nullptr;       ///< error of `error` and of the baseline
-    std::optional<PixelLimit> tolerance;  ///< by which a baseline may be exceeded; none: 0, from the same driver only
+    std::optional<double> error;          ///< largest distance of `metric` from its best value
+    const Metric* metric = nullptr;       ///< metric that `error` and the baseline limit
+    std::optional<PixelLimit> tolerance;  ///< allowed excess over the baseline; none: 0, and for the same driver only
 };
 
-/// Returns the keys of the error metrics that the command `check` can limit: those with values from 0 to 1.
+/// Returns the keys of the error metrics that the command `check` can limit: those whose distance from the best value
+/// is at most 1.
 std::vector<std::string_view> checked_errors();
-/// Finds an error metric that the command `check` can limit. @param key key of the metric; empty: the first one
-/// @throws UsageError listing the known keys
+/// Finds an error metric that the command `check` can limit. @param key key of the metric; empty: the first of
+/// checked_errors() @throws UsageError listing the known keys
 const Metric& checked_error(const std::string& key);
 
 /// Shadow errors of one picture, as the command `check` compares them with limits.
 struct CheckedNumbers {
-    std::size_t compared = 0;  ///< pixels
+    std::size_t compared = 0;  ///< pixels compared with the reference
     std::size_t acne = 0;      ///< pixels whose cause is acne
     std::size_t wrong = 0;     ///< pixels of false shadow and false light
     double error = 0;          ///< distance of the metric from its best value
 };
 
-/// Extracts from the errors of a picture those that the command `check` compares with limits. @param metric metric
-/// whose distance from its best value becomes CheckedNumbers::error @throws Error if no pixel could be compared, or the
-/// metric has no value
+/// Selects the errors of a picture that the command `check` compares with limits. @param metric metric whose distance
+/// from its best value becomes CheckedNumbers::error @throws Error if no pixel could be compared, or the metric has no
+/// value
 CheckedNumbers checked_numbers(const ErrorMetrics& error, const Metric& metric);
 
 /// Conditions under which a picture's shadow errors were measured: size, light, reference and driver. Errors measured
@@ -65,9 +66,9 @@ CheckedNumbers checked_numbers(const ErrorMetrics& error, const Metric& metric);
 struct CheckedPicture {
     int width = 0, height = 0;  ///< pixels
     int light = 0;              ///< view.light
-    bool area = false;          ///< the reference is of an area light
+    bool area = false;          ///< the reference is traced for an area light
     std::string driver;         ///< vendor, renderer and version
-    int meaning = 0;            ///< kErrorMeaning
+    int meaning = 0;            ///< version of the definitions of errors (kErrorMeaning)
 };
 
 /// Baseline of the command `check`: shadow errors of an earlier run, which a later run may not exceed.
@@ -96,7 +97,7 @@ std::vector<std::string> require_same_conditions(const CheckBaseline& baseline, 
 /// Result of one limit of the command `check`: the limit, the measured number, and whether the limit is kept.
 struct CheckFinding {
     std::string check;       ///< "max-acne", or "baseline-acne" for a limit by the baseline
-    std::string_view field;  ///< of the number: "acne_px", "wrong_px" or the key of the error
+    std::string_view field;  ///< name of the number: "acne_px", "wrong_px" or the key of the error
     double value = 0;
     double limit = 0;
     bool passed = false;
@@ -123,8 +124,8 @@ std::string check_junit(const std::string& scene, const std::string& driver, con
 /// Formats a JUnit report (XML) of a picture that the command `check` could not measure. @param scene name of the suite
 /// @param message the reason
 std::string check_junit_error(const std::string& scene, const std::string& message);
-/// Returns true if a text begins like a JUnit report of check_junit() or check_junit_error(). Used to replace only such
-/// files.
+/// Returns true if a text begins like a JUnit report of check_junit() or check_junit_error(). Used before a file is
+/// overwritten.
 bool is_check_junit(std::string_view text);
 
 }  // namespace si

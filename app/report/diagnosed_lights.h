@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Diagnoses the shadow of every light at a probed pixel: whether it is right, the cause of an error, and the fix.
+/// Diagnoses the shadow of every light at a probed pixel: whether the pixel is right, the cause of an error, and a fix.
 /// Returns one diagnosis per light of the probe.
 /// @param casters ray-tracing hierarchy over the probed scene
 std::vector<PixelDiagnosis> diagnose_lights(const Probe& probe, const Scene& scene, const Settings& settings,

@@ -21,13 +21,13 @@ Scene written_scene(const Scene& shown);
 
 /// Draws a frame and returns the files of its bundle: scene, camera, shadow maps with their matrices, look-up, picture
 /// and settings. The program can read the bundle back as the same frame.
-/// @param shown scene as drawn; written_scene() is written @param maps file format of the shadow maps
+/// @param shown scene as drawn; written_scene() of it goes into the bundle @param maps file format of the shadow maps
 /// @throws Error if no light has a shadow map, and for virtual maps
 BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
                             MapFile maps = MapFile::Pfm);
 
-/// Checks that a frame does not read from the bundle that it is to be written to: neither the scene's files nor its
-/// imported maps lie there. @param bundle path of the bundle to write @throws UsageError
+/// Checks that a bundle to be written contains no file that the frame reads: no file of the scene, and no imported map.
+/// @param bundle path of the bundle to write @throws UsageError
 void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings);
 
 }  // namespace si

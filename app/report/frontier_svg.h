@@ -11,19 +11,20 @@ namespace si {
 
 /// Options for writing a frontier plot (error against cost) as SVG.
 struct FrontierSvgOptions {
-    bool in_page = false;  ///< part of an HTML page, whose preference for dark or light it follows; else a file
-    /// Returns the number of a case by PlotCase::of, for scripts of the page; none: 0.
+    bool in_page = false;  ///< makes an SVG element for an HTML page; false: a whole SVG file
+    /// Converts PlotCase::of to the number of the case for scripts of the page. Empty: all cases have the number 0.
     std::function<std::size_t(std::size_t)> number = {};
 };
 
-/// Returns the text of the style element in the SVG of a frontier plot, for the hash in a page's security policy. All
-/// plots have the same text. @param in_page FrontierSvgOptions::in_page
+/// Returns the text of the style element in the SVG of a frontier plot. It is equal for all plots, so that a page can
+/// allow it by hash in its Content-Security-Policy. @param in_page FrontierSvgOptions::in_page
 std::string frontier_svg_style(bool in_page);
 /// Formats a drawing of the frontier as self-contained SVG without external fonts, scripts or files. Equal drawings
-/// give equal bytes. Whiskers and names of cases show under the mouse.
+/// give equal bytes. A case under the mouse shows its name and its whisker (noise of the cost).
+/// @param plot plot that was drawn
 std::string frontier_svg(const FrontierDrawing& drawing, const FrontierPlot& plot,
                          const FrontierSvgOptions& options = {});
-/// Draws a frontier plot as SVG on a page of 640 pixels, with its sentence and its table.
+/// Draws a frontier plot as SVG, 640 pixels wide, with a sentence on the knee and a table of the best cases.
 std::string frontier_svg(const FrontierPlot& plot, const FrontierSvgOptions& options = {});
 
 }  // namespace si

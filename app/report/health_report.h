@@ -11,7 +11,8 @@
 namespace si {
 
 /// Draws a frame and searches its maps, visibility and matrices for invalid numbers (NaN, infinite, out of range).
-/// @param workers for rays that the light sources need @throws Error, Cancelled
+/// Returns the findings.
+/// @param workers threads for the rays that some light sources need @throws Error, Cancelled
 std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Scene& scene, const Settings& settings,
                                                     FrameRequest request, const Workers& workers = {});
 
@@ -22,12 +23,12 @@ nlohmann::ordered_json health_json(const NumericHealth& health);
 /// each finding and its place
 void require_sound(const NumericHealth& health);
 
-/// Scope in which every picture that a renderer draws is searched for invalid numbers (NaN, infinite, out of range).
-/// Timed frames are left out.
+/// Guard that searches every picture that a renderer draws for invalid numbers (NaN, infinite, out of range), as long
+/// as the guard exists. Timed frames are left out.
 class NumberWatch {
 public:
-    /// Starts the search of a renderer's pictures. @param base settings that the message about a fault compares with
-    /// @param on false: no picture is searched
+    /// Starts to search a renderer's pictures. @param base settings; the message about a fault lists the differences
+    /// from them @param on false: no picture is searched
     NumberWatch(Renderer& renderer, Settings base, bool on);
     ~NumberWatch();
     NumberWatch(const NumberWatch&) = delete;

@@ -19,10 +19,10 @@ std::string replaced_mark(std::string text, std::string_view mark, std::string_v
 /// "image/png"
 std::string data_uri(std::string_view bytes, const char* type);
 
-/// Makes a page without scripts (assets/report/still.html) whose Content-Security-Policy allows embedded pictures and
-/// style sheets named by hash: its own, and those of style elements in the body.
+/// Makes a self-contained HTML page without scripts from assets/report/still.html. Its Content-Security-Policy allows
+/// embedded pictures, and style elements only if it lists their hash.
 /// @param title text of the title, escaped here @param body HTML of the page, in which all foreign text is escaped
-/// @param body_styles whole texts of the body's style elements
+/// @param body_styles whole texts of the style elements in `body`, whose hashes are listed
 std::string still_page(const std::string& title, const std::string& body,
                        const std::vector<std::string>& body_styles = {});
 

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Field `format` of path.json.
+/// Value of the field `format` in path.json, by which the program recognises the file.
 inline constexpr std::string_view kLightPathFormat = "shadow-inspector-light-path";
 
 /// Measurements of the shadows at each step along a path of the light, with the facts that their report shows.
@@ -18,17 +18,17 @@ struct LightPathReport {
     int width = 0, height = 0;
     bool area = false;                          ///< compared with an area light
     std::string renderer;                       ///< driver
-    const Metric* metric = &metrics().front();  ///< error whose largest value is the worst step
+    const Metric* metric = &metrics().front();  ///< error whose largest value marks the worst step
     LightPathResult measured;
-    std::string command;                       ///< command line that measures it again
+    std::string command;                       ///< command line that repeats the measurement
     std::string worst_command;                 ///< command line that shows the worst step
     ByteImage worst_picture, worst_artefacts;  ///< of the worst step; empty: not shown
 };
 
 /// Converts the measurements along a path of the light to JSON (path.json).
 nlohmann::ordered_json light_path_json(const LightPathReport& report);
-/// Formats the measurements along a path of the light as CSV: a header and one line per step (RFC 4180 with plain line
-/// breaks).
+/// Formats the measurements along a path of the light as CSV: a header and one line per step (RFC 4180, but with LF
+/// line ends).
 std::string light_path_csv(const LightPathReport& report);
 /// Formats the measurements along a path of the light as a self-contained HTML page without scripts.
 std::string light_path_html(const LightPathReport& report);

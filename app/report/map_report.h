@@ -22,8 +22,8 @@ struct MapReport {
     DepthHistogram raw, linear;  ///< over the range of depths that was drawn
 };
 
-/// Draws a frame and collects statistics of the shadow map of the light that view.light selects. Returns nothing if
-/// that light has no map. @param request gives the size of the picture
+/// Draws a frame and collects statistics of the shadow map of the light that view.light selects; nullopt if that light
+/// has no map. @param request gives the size of the picture
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
 
 /// Converts the statistics of one light's shadow map to JSON.

@@ -26,12 +26,13 @@ ByteImage shrunk(const ByteImage& image, int width);
 /// come from `other`. The pose of the scene, camera, views and reference come from `shown`.
 Settings settings_with_shadows_of(const Settings& shown, const Settings& other);
 
-/// Composes two images of one size into one, as by a swipe: `a` left of a white line, two pixels wide, and `b` right of
-/// it. @param at place of the line, 0..1 of the width
+/// Composes two images of one size into one: `a` left of a white line, two pixels wide, and `b` right of it. @param at
+/// place of the line, 0..1 of the width
 ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at);
 /// Composes two images into one: `a` on the left, `b` on the right, with a gap between them.
 ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b);
-/// Computes the image of the differences of two images of one size: 2 |a - b| in each channel.
+/// Computes the difference of two images of one size: 2 |a - b|, at most 255, in each colour channel. The result is
+/// opaque.
 ByteImage difference_image(const ByteImage& a, const ByteImage& b);
 /// Computes the mean absolute difference of two images of one size, over all pixels and colour channels: 0 (equal) to
 /// 1.

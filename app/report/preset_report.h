@@ -69,9 +69,9 @@ struct PresetReport {
     std::optional<ShadowTime> base;   ///< of base_of_costs(), timed in the same turns; nullopt: nothing was timed
 };
 
-/// Measures everything that a report shows. For one subject after the other it draws pictures, measures the error of
-/// the light that view.light selects and diagnoses pixels. Then it times all subjects and base_of_costs() (hard kernel,
-/// 1024 texels) in turns, so that a change of the machine's speed affects all alike.
+/// Measures everything that a report shows. First, for each subject, it draws pictures, measures the error of the light
+/// that view.light selects, and diagnoses pixels. Then it times all subjects and base_of_costs() (hard kernel, 1024
+/// texels) in turns, so that a change of the machine's speed affects all alike.
 /// @param scene posed for all subjects; objects that a subject hides are hidden for it alone
 /// @param progress receives the share done, 0..1, and the present step @throws Cancelled, Error
 PresetReport measure_report(Renderer& renderer, Scene scene, const std::string& scene_name,

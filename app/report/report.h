@@ -15,7 +15,7 @@ nlohmann::ordered_json matrix_json(const glm::dmat4& m);
 /// Converts a vector to JSON as an array of three numbers.
 nlohmann::ordered_json vector_json(const glm::dvec3& v);
 
-/// Converts the statistics of a virtual shadow map's pages in one frame to JSON.
+/// Converts the statistics of the pages of virtual shadow maps in one frame to JSON.
 nlohmann::ordered_json pages_json(const PageFacts& pages);
 /// Converts the OpenGL driver's names and limits to JSON.
 nlohmann::ordered_json driver_json(const DriverInfo& driver);

@@ -9,9 +9,8 @@
 
 namespace si {
 
-/// Returns what is known about the bias with which another engine reads its shadow maps of the light that view.light
-/// selects. It may come from the engine's file, be entered by the user, changed, or unknown. Returns EngineBias::Own if
-/// this program draws the maps.
+/// Returns whether the bias with which another engine reads its shadow maps is known, and from which source, for the
+/// light that view.light selects. Returns EngineBias::Own if this program draws the maps.
 /// @param lights lights of the frame
 EngineBias shown_engine_bias(const Settings& settings, std::span<const FittedLight> lights);
 

@@ -31,7 +31,7 @@ PaneGrid picture_grid(const Settings& settings, int width, int height);
 
 /// Draws a view of a frame into a file: PNG, PFM or OpenEXR, by the extension of `path`. Several panes (view.panes)
 /// share the picture. Returns the facts of the frame.
-/// @param workers for rays that the view's overlays need
+/// @param workers threads for rays that the view's overlays need
 /// @throws Error when the light has no map, or the file cannot be written
 FrameResult write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request,
                        const View& view, const std::string& path, const Workers& workers = {});

@@ -5,8 +5,8 @@
 
 namespace si {
 
-/// Escapes a text so that it can stand in an attribute or an element of XML. Control characters and broken UTF-8, which
-/// XML cannot hold, become visible escapes.
+/// Escapes a text for an attribute or an element of XML. Control characters and broken UTF-8, which XML does not allow,
+/// become visible escapes.
 std::string xml_text(const std::string& text);
 
 }  // namespace si

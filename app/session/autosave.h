@@ -36,12 +36,13 @@ public:
     /// for the next such file.
     void forget_lost();
 
-    /// Writes scene and settings to the autosave file if they differ from the start and from the last write. Writes at
-    /// most every kSeconds. Call every frame. Never throws: errors go to take_remarks().
+    /// Writes scene and settings to the autosave file if they have changed since the last write, or at first since the
+    /// editor opened. Writes at most every kSeconds. Call every frame. Never throws: errors go to take_remarks().
     /// @param now_s time of a steady clock, seconds
     void update(const std::string& scene, const Settings& settings, double now_s);
-    /// Ends autosave when the editor closes. @param unsaved true: keeps scene and settings that differ from the start,
-    /// so that the next start offers them as after a crash; false: removes the autosave file
+    /// Ends autosave when the editor closes.
+    /// @param unsaved true: keeps the file if scene or settings (without camera and view) differ from those at the
+    /// start of the editor; the next start then offers them, as after a crash. false: removes the file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
     /// Returns the errors of autosave and of reading lost sessions since the last call, one line each, and clears them.
     std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }

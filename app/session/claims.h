@@ -13,7 +13,7 @@ namespace si {
 /// objects with which it is measured.
 struct ClaimSubject {
     std::string metric;                  ///< name, or names whose values are added: "false_light + false_shadow"
-    std::string preset;                  ///< key of a built-in preset; empty: the claim's own
+    std::string preset;                  ///< key of a built-in preset; empty: the preset that makes the claim
     std::vector<std::string> set;        ///< changes of the preset's settings, "KEY=VALUE"
     std::vector<std::string> receivers;  ///< node paths of surfaces that count; empty: all
     std::vector<std::string> casters;    ///< node paths of objects whose shadows count; empty: all

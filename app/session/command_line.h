@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// Returns a plan that opens a scene with the given settings. Settings that differ from base_settings() become
-/// assignments of --set.
+/// Returns a plan that opens a scene with the given settings, to draw the editor's picture again. Settings that differ
+/// from base_settings() become assignments of --set.
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 
 /// Formats a command line that renders a scene with the given settings, for the user to copy. Settings that differ from

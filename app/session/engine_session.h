@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Beginning of a key that is a parameter of the engine.
+/// Prefix of a key in an option --set that names a parameter of another engine.
 inline constexpr std::string_view kEnginePrefix = "engine.";
 
 /// Engine profile that the user has chosen, with the values that the command line gives in the engine's own parameters.
@@ -20,7 +20,7 @@ struct EngineSession {
     const EngineProfile* profile = nullptr;  ///< null: none
     EngineValues values;
     std::optional<double> angle_deg;  ///< engine.angle: reference angle of conversions
-    bool gives_bias = false;          ///< a value of `values` is one of the bias
+    bool gives_bias = false;          ///< `values` has a parameter of the bias
 };
 
 /// Removes the assignments "engine.PARAMETER=VALUE" from the --set assignments, and returns them with the engine's
@@ -30,9 +30,9 @@ struct EngineSession {
 /// profile dictates, and for engine.* without a profile
 EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets);
 
-/// Returns width, depth range and texels of the shadow map of the light that view.light selects. Conversions to an
-/// engine's parameters need them. An imported map of a bundle gives them itself; else the light is fitted for a picture
-/// of 16:9. Of several cascades the first counts.
+/// Returns width, depth range and texels of the shadow map of the light that view.light selects, for conversions to an
+/// engine's parameters. They come from the imported map, if the settings name a bundle with one. Otherwise the light is
+/// fitted for a picture of 16:9. Of several cascades the first counts.
 /// @throws Error for a bundle that cannot be read
 MapFacts map_facts(const Scene& scene, const Settings& settings);
 

@@ -40,8 +40,9 @@ struct BuiltinPreset {
 /// Lists the guided presets embedded in the program. Each has a sentence on what to look at; their order is that of a
 /// lecture.
 std::vector<BuiltinPreset> builtin_presets();
-/// Lists the hard cases as presets, each once with its fault and once with its fix (renderer/scenes/hard_cases.h). Hard
-/// cases are scenes in which shadow maps break. load_preset() accepts their keys too.
+/// Lists the hard cases (scenes in which shadow maps break) as presets (renderer/scenes/hard_cases.h). Each has a
+/// preset with its fix, and one with its fault if a setting brings the fault back. load_preset() accepts their keys
+/// too.
 std::vector<BuiltinPreset> hard_case_presets();
 
 }  // namespace si

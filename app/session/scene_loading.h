@@ -21,10 +21,10 @@ public:
     /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
 
-    /// Starts loading a scene in the background and cancels the loading before. @param file scene of
-    /// the file, up axis and unit @throws std::system_error when the system has no thread left
+    /// Starts loading a scene in the background; an earlier load is cancelled. @param file choices for the scene's
+    /// file: index of its scene, up axis and unit @throws std::system_error when the system has no thread left
     void start(const std::string& name_or_path, const FileChoices& file = {});
-    /// Cancels the loading; poll() then reports nothing.
+    /// Cancels the loading of the scene; poll() then returns nothing.
     void cancel() { drop(); }
 
     /// Returns the name of the scene that is being loaded; empty: none.

@@ -22,14 +22,14 @@ struct SessionOptions {
     std::string scene;              ///< built-in key or path; empty: the preset's scene, else the default scene
     std::string preset;             ///< built-in key or path; empty: none
     std::vector<std::string> sets;  ///< "KEY=VALUE", applied in order after everything else
-    /// Files that the command writes. open_session() refuses one that it reads.
+    /// Files that the command writes. open_session() throws UsageError if scene or preset is read from one of them.
     std::vector<std::filesystem::path> outputs = {};
     /// Engine profile whose limits and parameters apply (`list profiles`); empty: none. `sets` may then name parameters
     /// of the engine: "engine.PARAMETER=VALUE".
     std::string profile = {};
 };
 
-/// Loaded and posed scene with the settings that were composed for it. Every command and the editor begin with one.
+/// Loaded and posed scene with the settings that were composed for it. Commands and the editor work on a session.
 struct Session {
     std::string scene_name;  ///< name or path given to load_scene()
     Scene scene;
@@ -38,7 +38,7 @@ struct Session {
     EngineWording engine = {};       ///< engine whose parameters texts name; without a profile: none
 };
 
-/// Checked options of a session, with the preset already read but the scene not yet.
+/// Checked options of a session. The preset is read already, the scene is not.
 struct SessionPlan {
     std::string scene_name;  ///< for load_scene()
     std::optional<Preset> preset;
@@ -66,6 +66,7 @@ struct ComposedSettings {
 /// suggestions, then --set.
 /// @param pose animation, time and placement of the scene
 /// @param left_out receives one line for each chosen object or camera that the scene lacks; null: throws instead
+/// @throws UsageError, Error
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& pose,
                                   std::vector<std::string>* left_out = nullptr);
 
@@ -84,7 +85,8 @@ void require_outputs_not_read(std::span<const std::filesystem::path> outputs, co
 /// @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
-/// Changes one setting by an assignment "KEY=VALUE" of --set. No other setting changes along. @throws UsageError
+/// Changes one setting by an assignment "KEY=VALUE" of --set, and the settings that the value implies
+/// (implied_values()). Unlike in apply_sets(), a new bias.kind does not set its starting values. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 /// Changes settings by all assignments "KEY=VALUE" of --set, in order. An assignment that changes bias.kind also sets
 /// the starting values of the new kind. Settings that other assignments name, before or after it, keep theirs.
@@ -107,9 +109,9 @@ void check_objects(const Scene& scene, Settings& settings, const std::string& pr
 /// Returns the node paths of the objects that settings hide (object.PATH.shown is false).
 std::set<std::string> hidden_paths(const Settings& settings);
 
-/// Poses a scene at scene.animation and scene.time and places it by scene.distance, scene.direction and scene.scale.
-/// Adds a ground to a scene from a file without one if scene.ground allows it (renderer/scene/ground.h). Hidden objects
-/// stay hidden.
+/// Poses a scene at scene.animation and scene.time and places it by scene.distance, scene.direction and scene.scale. A
+/// scene that is loaded from a file and has no ground gets one if scene.ground allows it (renderer/scene/ground.h).
+/// Hidden objects stay hidden.
 /// @returns a note when there is nothing to animate, else "" @throws UsageError for an unknown animation
 std::string pose_scene(Scene& scene, const SceneSettings& settings);
 

@@ -36,7 +36,8 @@ std::filesystem::path cache_folder();
 class LockFile {
 public:
     LockFile() = default;
-    /// @param wait blocks until another holder releases the lock; false: gives up at once
+    /// Opens or creates the file and locks it. @param wait true: blocks until another holder releases the lock; false:
+    /// gives up at once
     LockFile(const std::filesystem::path& path, bool wait);
     ~LockFile() { release(); }
     LockFile(LockFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
@@ -80,7 +81,7 @@ private:
     std::vector<std::string> remarks_;
 };
 
-/// Puts a path at the front of a list of recent files, without duplicates. Drops the oldest path beyond the limit.
+/// Puts a path at the front of a list of recent files, without duplicates. Keeps the 12 newest paths.
 void put_first(std::vector<std::string>& recent, const std::string& path);
 
 }  // namespace si
