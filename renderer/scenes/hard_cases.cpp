@@ -488,7 +488,7 @@ constexpr HardCase kCases[] = {
      "share of pixels in which the two ways of culling differ", 0.02, hard_mirrored,
      "map.resolution=512 light.azimuth=-30 light.elevation=40 caster.cull=front", "", ""},
     {16, "flattened", "A scale of 0",
-     "A matrix of scale 0 has no inverse, so normals become NaN. In some engines the object stays as it was before.",
+     "A matrix of scale 0 has no inverse, so normals become NaN. Some engines then keep the object's old transform.",
      "Normals use cofactors, which need no division. An object scaled to a point casts no shadow, and one scaled to a "
      "plate casts the plate's shadow.",
      "pixels that an object of scale 0 changes", 0, kPixels, "a point has no area",
@@ -563,8 +563,8 @@ constexpr HardCase kCases[] = {
      "filter.blur=2 filter.bleed=0 bias.kind=constant bias.constant=0.1 bias.normal=2",
      "filter.moment_bias=0", "filter.moment_bias=6e-4"},
     {25, "summed-areas", "Sums over the whole map",
-     "A summed-area table in single precision gives a window as the difference of large sums, which has few exact "
-     "digits. The resulting noise grows with the map.",
+     "A summed-area table in single precision gives the sum over a window as a difference of large sums, with few "
+     "exact digits. The resulting noise grows with the map.",
      "The table holds sums of integers. Their differences are exact, even if the sums overflow.",
      "mean difference from a blur of the same width", 1e-4, "of visibility", "single steps of a 16-bit fraction",
      "the same of a table in single precision", 1e-3, hard_floor_and_box,
@@ -579,7 +579,7 @@ constexpr HardCase kCases[] = {
      "map.resolution=512 light.azimuth=30 light.elevation=60 light.size=1 filter.kernel=pcss", "", ""},
     {27, "edge-on-planes", "Planes seen edge-on",
      "For a plane seen edge-on, the slope from screen derivatives divides by 0. Engines add the slope over one texel "
-     "as bias. On faces one pixel wide that exceeds the caster's thickness, so light leaks.",
+     "as bias. On faces one pixel wide this bias exceeds the caster's thickness: light leaks.",
      "The slope comes from the triangle's plane by a quotient without an inverse matrix. No slope is added to the "
      "bias, and edge-on planes need no look-up.",
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
@@ -651,7 +651,8 @@ constexpr HardCase kCases[] = {
     {36, "truth", "Sanity of the reference",
      "A ray that starts on a surface may hit that same surface. A reference in which convex bodies shadow themselves "
      "is wrong everywhere.",
-     "Rays start off their surface by the resolution of its coordinates. The scene is centred and scaled before.",
+     "Rays start above their surface, by some steps of its coordinates in single precision. The scene is centred and "
+     "scaled before.",
      "pixels of convex bodies that are turned to the light and shadowed by themselves", 0, kCount,
      "a convex body cannot shadow itself",
      "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
@@ -688,14 +689,14 @@ constexpr HardCase kCases[] = {
     {40, "stray-vertex", "One vertex far off",
      "One forgotten vertex 1,000 km away makes a map of the whole scene as wide. Each texel covers 2 km, and no "
      "shadow is left.",
-     "The map is fitted to the view frustum (light.fit=view). Numbers are relative to the scene's main part, and a "
-     "note about the file names the object.",
+     "The map is fitted to the view frustum (light.fit=view). Coordinates are relative to the centre of the scene's "
+     "main part. A note about the file names the object.",
      "pixels that differ from the same scene without that vertex", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a fit to the whole scene", 0.01, hard_stray_vertex,
      "map.resolution=512 light.azimuth=90 light.elevation=30", "light.fit=scene", "light.fit=view"},
     {41, "units", "Kilometres read as metres",
      "A model read in a wrong unit is 1000 times too small or too large. A bias in metres then removes every shadow, "
-     "or is negligible within one texel.",
+     "or is negligible compared with a texel.",
      "The bias is given in texels, which grow with the scene.",
      "pixels that differ from the same scene in metres, in units of 1/1024 and of 1024", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a bias in metres", 0.01, hard_kilometres,
@@ -718,7 +719,7 @@ constexpr HardCase kCases[] = {
      "map.bundle_bias=entered map.bundle=builtin:warped light.azimuth=30 light.elevation=40 filter.kernel=hard",
      "bias.kind=constant bias.unit=metres bias.constant=0.028", "bias.kind=adaptive"},
     {44, "given-reversed", "A matrix from before depth was reversed",
-     "An engine reverses depth on the way to the GPU, but its bundle states the matrix from before that step. "
+     "An engine reverses depth on the way to the GPU, but its exported bundle states the matrix from before that step. "
      "Everything is dark.",
      "The bundle states the matrix that the caster pass uses, with depth.reversed beside it.",
      "wrong pixels inside shadow or light, under an imported map of reversed depth", 5e-4, kPixels,
