@@ -13,7 +13,7 @@ HEAD = """# Proof in real engines
 This page compares shadows of real engines with those of the program, under the engine's [profile](profiles.md).
 `scripts/prove_engines.sh` draws, compares and writes it.
 
-Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. The program draws them with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same box of the light. Both write a mask (a picture of light and shadow). The two masks are compared.
+Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow maps, from numbers that `convert` gives. The program draws them with the same numbers (`--profile NAME --set engine.PARAMETER=VALUE`) and the same orthographic view volume of the light. Both write a mask (a picture of light and shadow). The two masks are compared.
 
 | criterion | bound |
 |---|---|
