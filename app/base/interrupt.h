@@ -15,7 +15,8 @@ public:
 
     /// Returns true once SIGINT, SIGTERM or SIGHUP has arrived, so that long work should stop at its next step.
     bool stop_requested() const;
-    /// Ends the program by the signal that arrived, so that a shell sees exit code 129, 130 or 143.
+    /// Ends the program by the signal that arrived (SIGHUP, SIGINT or SIGTERM), so that a shell sees exit code 129, 130
+    /// or 143.
     [[noreturn]] static void end();
 };
 

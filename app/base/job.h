@@ -52,11 +52,11 @@ public:
         bool cancelled = false;
     };
 
-    /// Cancels the work and joins its thread.
+    /// Cancels the background work and joins its thread.
     ~Job() { drop(); }
 
-    /// Starts work; earlier work is cancelled and its outcome dropped. @param first progress until the work reports
-    /// some
+    /// Starts background work; earlier work is cancelled and its outcome dropped. @param first progress until the work
+    /// reports some
     /// @throws std::system_error if the system cannot start another thread
     void start(Work work, Progress first = {}) {
         bool launch = false;
@@ -80,7 +80,7 @@ public:
             throw;
         }
     }
-    /// Cancels the work. poll() then reports it as cancelled, even if it had just ended.
+    /// Cancels the background work. poll() then reports it as cancelled, even if it had just ended.
     void cancel() {
         const std::lock_guard lock(shared_->mutex);
         if (!shared_->wanted) return;
@@ -91,7 +91,7 @@ public:
         shared_->outcome = Outcome{.value = {}, .problem = {}, .cancelled = true};
         shared_->changed.notify_all();
     }
-    /// Cancels the work and drops its outcome: poll() reports nothing.
+    /// Cancels the background work and drops its outcome: poll() reports nothing.
     void drop() {
         const std::lock_guard lock(shared_->mutex);
         shared_->stop.request_stop();
@@ -101,40 +101,42 @@ public:
         shared_->wanted = shared_->moved = false;
     }
 
-    /// Returns true from start() until the work is cancelled or its outcome polled.
+    /// Returns true from start() until the background work is cancelled or its outcome polled.
     bool wanted() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->wanted;
     }
-    /// Returns true while the thread runs (also for cancelled work) or an outcome waits to be polled.
+    /// Returns true while the background thread runs (also for cancelled work) or the outcome of its work waits for
+    /// poll().
     bool busy() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->working || shared_->outcome;
     }
-    /// Returns true if poll() would return an outcome.
+    /// Returns true if poll() would return the outcome of background work.
     bool ended() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->outcome.has_value();
     }
-    /// Returns true if progress changed since the last call of progress(), or an outcome waits to be polled.
+    /// Returns true if the progress of the background work changed since the last call of progress(), or its outcome
+    /// waits for poll().
     bool has_news() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->moved || shared_->outcome;
     }
-    /// Returns the latest progress report of the present work; nothing without work.
+    /// Returns the latest progress report of the present background work; nothing without work.
     std::optional<Progress> progress() const {
         const std::lock_guard lock(shared_->mutex);
         shared_->moved = false;
         return shared_->wanted ? std::optional(shared_->progress) : std::nullopt;
     }
-    /// Returns the outcome of the work and forgets it; nothing while it runs.
+    /// Returns the outcome of the background work and forgets it; nothing while the work runs.
     std::optional<Outcome> poll() {
         const std::lock_guard lock(shared_->mutex);
         if (!shared_->outcome) return {};
         shared_->wanted = shared_->moved = false;
         return std::exchange(shared_->outcome, std::nullopt);
     }
-    /// Blocks until the work has ended.
+    /// Blocks until the background work has ended.
     void wait() const {
         std::unique_lock lock(shared_->mutex);
         shared_->changed.wait(lock, [&] { return !shared_->working || shared_->outcome; });

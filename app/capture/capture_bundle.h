@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Function that receives the share 0..1 that is done and a label, at least every 50 ms. Returning false ends the work.
+/// Function that receives the progress of reading a RenderDoc capture: the share 0..1 that is done and a label, at
+/// least every 50 ms. Returning false ends the work.
 using CaptureProgress = std::function<bool(double, const std::string&)>;
 
 /// Lists the shadow maps of a RenderDoc capture, so that the user can pick some for write_capture_bundle(). Returns a
@@ -35,12 +36,12 @@ Json write_capture_bundle(const std::filesystem::path& capture, const std::vecto
 /// directional". @param candidate an element of list_capture()
 std::string candidate_text(const Json& candidate);
 
-/// Formats the check of one captured map as text. In the check, the importer draws the casters again and compares the
-/// texels.
+/// Formats the check of one captured shadow map as text. In the check, the importer draws the casters again and
+/// compares the texels.
 /// @param gate an element of `gate` in the summary of write_capture_bundle()
 std::string gate_text(const Json& gate);
 
-/// Returns the remarks of an imported capture for the user, one line each. @param summary result of
+/// Returns the remarks on an imported RenderDoc capture for the user, one line each. @param summary result of
 /// write_capture_bundle()
 std::vector<std::string> capture_notes(const Json& summary);
 

@@ -20,7 +20,7 @@ using Run = std::function<void()>;
 /// Makes a validator for an option of the command line that takes a finite number within [min, max]. CLI::Range would
 /// also accept NaN and trailing garbage.
 CLI::Validator number_between(double min, double max);
-/// Name of the validators that one_of() makes.
+/// Name of the validators that one_of() makes for options that take one of several words.
 inline constexpr const char* kWordsValidator = "words";
 /// Makes a validator for an option of the command line that takes one of `words`. For any other value the error message
 /// lists the words.
@@ -32,13 +32,14 @@ class CommandParser {
 public:
     /// Returns the CLI11 parser of this command, to add options that no other command has.
     CLI::App& app() { return app_; }
-    /// Adds an option with a value. @param to receives the value @param type name of the value in the help
+    /// Adds an option with a value to the command. @param to receives the value @param type name of the value in the
+    /// help
     template <class T>
     CLI::Option* add_value(const char* name, T& to, const char* type, const std::string& help) {
         return app_.add_option(name, to, help)->type_name(type);
     }
-    /// Adds an option whose value is assigned to a setting, like a --set after all others. @param key key of the
-    /// setting
+    /// Adds an option to the command whose value is assigned to a setting, like a --set KEY=VALUE after all others.
+    /// @param key key of the setting
     template <class T>
     CLI::Option* add_setting(const char* name, const char* key, const char* type, const char* help) {
         const auto add = [this, key](const T& value) { sets_.push_back(fmt::format("{}={}", key, value)); };
@@ -51,7 +52,8 @@ public:
     /// Adds the argument SCENE to the command: a model file or a built-in scene. Returns the argument for further
     /// rules.
     CLI::Option* add_scene();
-    /// Adds --size, the size of the picture in pixels. @param standard size without the option
+    /// Adds the option --size to the command, the size of the picture in pixels. @param standard size without the
+    /// option
     /// @param bytes_per_pixel memory that the command needs (PixelBytes), checked by finish(); 0: the command checks it
     void add_size(PictureSize standard = {}, std::uint64_t bytes_per_pixel = kDrawnPixelBytes);
     /// Adds the option -o to the command, which names the file or folder to write.
@@ -72,8 +74,8 @@ public:
     /// a point or direction.
     void add_area(const char* help =
                       "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
-    /// Adds the options --max-error, --max-ms and --error to the command. They limit the error and frame time of a
-    /// search.
+    /// Adds the options --max-error, --max-ms and --error to the command. They limit error and frame time of the
+    /// settings that a search finds.
     /// @param limits receives the values @param error_help, ms_help help of --max-error and of --max-ms
     /// @param metric_help beginning of the help of --error, which a list of metrics follows
     void add_limits(SearchLimits& limits, const char* error_help, const char* ms_help, const char* metric_help);
@@ -94,7 +96,7 @@ private:
     std::vector<std::string> sets_;  ///< KEY=VALUE
 };
 
-/// Command of the parser with the values of its options.
+/// Command of the command-line parser with the values of its options.
 template <class Options>
 struct ParsedCommand : CommandParser {
     Options options;
@@ -104,7 +106,7 @@ struct ParsedCommand : CommandParser {
     }
 };
 
-/// Adds a command to the parser. The returned object lives as long as the parser.
+/// Adds a command to the command-line parser. The returned object lives as long as the parser.
 /// @param run receives the command's function when the command line names it @param execute function that runs the
 /// command
 template <class Options>
@@ -120,7 +122,8 @@ ParsedCommand<Options>& add_command(CLI::App& parent, Run& run, const char* name
     return *made;
 }
 
-/// Adds the commands that measure to the parser: sweep, merge, tune, plan, advise, precision, shimmer and report.
+/// Adds the commands that measure to the command-line parser: sweep, merge, tune, plan, advise, precision, shimmer and
+/// report.
 /// @param run receives the function of the command that the command line names
 void add_measure_commands(CLI::App& app, Run& run);
 

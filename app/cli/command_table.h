@@ -39,8 +39,8 @@ struct CommandRow {
     std::vector<std::string> commands;  ///< names of its own commands
 };
 
-/// Lists all commands of the parser for man page and shell completions. The first row is the program itself. Each
-/// command comes before its subcommands.
+/// Lists all commands of the command-line parser for man page and shell completions. The first row is the program
+/// itself. Each command comes before its subcommands.
 std::vector<CommandRow> command_table(const CLI::App& app);
 
 /// Returns the full name of a command, with the commands above it: "preset check". Empty for the program itself.
@@ -56,7 +56,8 @@ std::string zsh_completions(const std::vector<CommandRow>& commands);
 /// Formats the fish script that completes commands, options and values of the program.
 std::string fish_completions(const std::vector<CommandRow>& commands);
 
-/// Adds the commands `completion` and `man-page` to the parser, which print a shell's completions and the manual page.
+/// Adds the commands `completion` and `man-page` to the command-line parser, which print a shell's completions and the
+/// manual page.
 /// @param run receives the function of the command that the command line names
 void add_printed_tables(CLI::App& app, Run& run);
 

@@ -103,7 +103,7 @@ struct PlanOptions : CommandOptions {
 /// skipped, with the reason.
 void run_plan(const PlanOptions& options);
 
-/// Options of the command `precision`, which measures rounding errors of map coordinates.
+/// Options of the command `precision`, which measures rounding errors of shadow-map coordinates.
 struct PrecisionOptions : CommandOptions {
     std::string over;  ///< one of precision_series(); empty: one measurement with the given settings
 };
@@ -134,8 +134,8 @@ struct TuneOptions : CommandOptions, SearchLimits {
     bool no_acne = false;           ///< least bias among those without acne
     std::optional<double> max_gap;  ///< largest gap at casters, metres
 };
-/// Runs the command `tune`: searches the bias with the least error score (wrong pixels and faint errors) over all rows
-/// of the bias table. Writes it as a preset. With limits of error or time the search also picks kernel and resolution.
+/// Runs the command `tune`: searches the bias with the least error score (wrong pixels and faint errors) over all kinds
+/// of bias. Writes it as a preset. With limits of error or time the search also picks kernel and resolution.
 void run_tune(const TuneOptions& options);
 /// Returns the keys of the error metrics that the option --error of `tune`, `advise` and `sweep` accepts.
 std::vector<std::string_view> tuned_errors();
@@ -155,7 +155,7 @@ struct AdviseOptions : CommandOptions, SearchLimits {
 void run_advise(const AdviseOptions& options);
 
 /// Options of the command `probe`, which explains the shadow test of one pixel. `output` is a drawing of the shadow
-/// test's cross-section for the light that view.light selects, .svg.
+/// test's cross-section (cut along the light ray) for the light that view.light selects, .svg.
 struct ProbeOptions : CommandOptions {
     std::string pixel;      ///< "X,Y" from the top left
     bool reference = true;  ///< trace rays, for a verdict and fixes
@@ -225,9 +225,9 @@ struct CompareMapsOptions : CommandOptions {
     bool leave_out_masked = false;  ///< MapCompareOptions::leaves_out_masked
     bool check = false;             ///< fail if a map fails the gate (MapGate)
 };
-/// Runs the command `compare-maps`: draws a map with the view of each imported shadow map, and prints the differences
-/// of each pair. Also prints the bias that the imported maps need. @throws Error if CompareMapsOptions::check is set
-/// and a map fails the gate
+/// Runs the command `compare-maps`: draws a map with the view of each imported shadow map (another engine's), and
+/// prints the differences of each pair. Also prints the bias that the imported maps need. @throws Error if
+/// CompareMapsOptions::check is set and a map fails the gate (limits of the differences)
 void run_compare_maps(const CompareMapsOptions& options);
 
 /// Options of the command `import-map`, which writes one depth map of another engine as a bundle (the files of one
@@ -301,8 +301,8 @@ struct SweepOptions : CommandOptions {
     SweepTiming timing;             ///< timing.cost is not read: CommandOptions::cost is the kind of timed frames
     bool fresh = false, retry = false;
 };
-/// Runs the command `sweep`: measures error, cost and time of every combination of the varied settings. Writes the
-/// results and a report into a folder.
+/// Runs the command `sweep`: measures error, cost (texels, draws, triangles) and time of every combination of the
+/// varied settings. Writes the results and a report into a folder.
 void run_sweep(const SweepOptions& options);
 
 /// Options of the command `merge`, which joins shards (parts of a sweep that several machines measured). `output` is

@@ -38,8 +38,8 @@ auto interruptible(const std::string& lost, const Work& work) {
     }
 }
 
-/// Ends the program by the signal that stopped the work (Ctrl+C); returns if there was no signal. Call once the results
-/// so far are printed. @param lost a clause for the message: "nothing was written"
+/// Prints a message and ends the program by the signal that stopped the work (Ctrl+C); returns if there was no signal.
+/// Call once the results so far are printed. @param lost a clause for the message: "nothing was written"
 inline void end_if_interrupted(const std::string& lost) {
     if (!was_interrupted()) return;
     print_to_stderr(fmt::format("shadow-inspector: interrupted; {}\n", lost));

@@ -48,17 +48,18 @@ public:
     /// Adds a typed character to the queue of input events. It belongs to the text key that was pressed right before.
     /// @param code Unicode code point
     void character(unsigned code);
-    /// Sets whether a text field has the focus. Text keys then only type, and any number of them fits into one step.
+    /// Sets whether a text field has the focus. Text keys then only type, and any number of them fits into one ImGui
+    /// frame.
     void typing(bool typing) { typing_ = typing; }
 
     /// Takes the events for the next ImGui frame from the queue. Returns the state of the mouse in that frame;
     /// take_strokes() returns keys, characters and wheel.
     MouseQueue::Step next();
-    /// Returns keys, characters and wheel movement of the step that next() began; empty when called again.
+    /// Returns keys, characters and wheel movement for the ImGui frame that next() began; empty when called again.
     Strokes take_strokes() { return std::exchange(strokes_, {}); }
-    /// Returns true if no event waits.
+    /// Returns true if no input event waits for an ImGui frame.
     bool empty() const { return waiting_.empty(); }
-    /// Returns true if the key is held after the latest step of next(). @param key GLFW_KEY_*
+    /// Returns true if the key is held after the events that next() took last. @param key GLFW_KEY_*
     bool is_down(int key) const { return key >= 0 && std::size_t(key) < kKeys && held_[std::size_t(key)]; }
 
 private:
@@ -83,11 +84,11 @@ private:
     };
     /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const { return event.kind == Kind::Character || (typing_ && event.character); }
-    /// Returns true if ImGui handles an input event and the events of `run` in their order when they share one ImGui
-    /// frame.
+    /// Returns true if an input event may share an ImGui frame with the earlier events of `run`: ImGui then keeps their
+    /// order.
     bool can_join(const Run& run, const Event& event) const;
-    /// Returns true if ImGui handles a key event and the events of `run` in their order when they share one ImGui
-    /// frame.
+    /// Returns true if a key event may share an ImGui frame with the earlier events of `run`: ImGui then keeps their
+    /// order.
     bool key_can_join(const Run& run, const Event& event) const;
     /// Adds an input event to those that the next ImGui frame receives, and updates their summary `run`.
     void add_to_step(Run& run, const Event& event);

@@ -49,9 +49,9 @@ public:
     /// Returns the place of the mouse after all events that wait in the queue, in screen coordinates. None once the
     /// mouse has left the window, if no button is held and no event waits.
     std::optional<glm::dvec2> last_position() const;
-    /// Returns the number of presses and releases that wait.
+    /// Returns the number of mouse presses and releases that wait for an ImGui frame.
     std::size_t waiting() const { return waiting_.size(); }
-    /// Returns true if no press or release waits.
+    /// Returns true if no mouse press or release waits for an ImGui frame.
     bool empty() const { return waiting_.empty(); }
 
 private:

@@ -19,7 +19,7 @@ class XServerGuard {
 public:
     /// Sets the function that saves the user's work when the X server ends.
     /// @param save called once, on the thread that made this guard unless that thread hangs; may not use the window. It
-    /// returns a clause for the message: "the next start offers the unsaved settings"
+    /// returns a clause for the program's last message: "the next start offers the unsaved settings"
     explicit XServerGuard(std::function<std::string()> save);
     ~XServerGuard();
     XServerGuard(const XServerGuard&) = delete;

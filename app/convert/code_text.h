@@ -12,7 +12,7 @@ namespace si {
 
 /// Makes a text from a file safe inside a one-line comment of generated code, in any language. Control characters and
 /// line ends (U+2028 among them) become blanks or visible escapes, backslashes become bars, and blanks split comment
-/// marks and trigraphs. Longer texts are cut at 160 bytes before marks are split.
+/// marks and trigraphs. Texts above 160 bytes are cut before marks are split.
 std::string comment_text(std::string_view text);
 
 /// Formats a number for generated code: the shortest text that gives the same single-precision number.

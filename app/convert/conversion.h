@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Size and depth range of one shadow map (cascade or face) of the light whose settings are converted.
+/// Width and depth range (metres) and texels across of one shadow map (cascade or face) of the light whose settings are
+/// converted to code.
 struct ConvertedMap {
     double width_m = 0, depth_m = 0;
     int texels = 0;
@@ -55,12 +56,12 @@ struct Conversion {
 /// are set by hand. Otherwise W and D have the defaults of MapFacts.
 /// @param[out] source origin of W and D, a clause
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
-/// Lists width, depth range and texels of all shadow maps of a light, for the head of converted code. @param size
-/// texels of each map
+/// Lists width, depth range and texels of all shadow maps of a light, for the comment at the head of converted code.
+/// @param size texels of each map
 std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size);
 
-/// Returns the reference angle for conversions, degrees: for 95 % of the lit pixels the angle between normal and light
-/// is at most this large. The result is at most 89; nullopt without a lit pixel.
+/// Returns the reference angle for conversions to an engine's parameters, degrees. For 95 % of the lit pixels the angle
+/// between normal and light is at most this large. The result is at most 89; nullopt without a lit pixel.
 /// @param cosines values of the overlay n-dot-l, four numbers a pixel @param visibility one number a pixel
 std::optional<double> reference_angle_deg(const FloatImage& cosines, const FloatImage& visibility);
 

@@ -69,7 +69,8 @@ public:
     /// Measures the present settings while a panel requests it (EditorRequests::want_present). Call once a frame.
     /// Returns true if the data have changed.
     bool update(const Scene* scene, const EditorRequests& requests);
-    /// Shows the results in a sweep's folder in the panel Frontier. @throws Error if the folder cannot be read
+    /// Shows the results in the folder of a sweep (measurement of many settings) in the panel Frontier. @throws Error
+    /// if the folder cannot be read
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
     /// Writes progress and results of all background measurements into `frame`, the data that panels show. A result is
     /// marked as current only if scene, settings and picture size are those that it was measured with. Pointers in
@@ -84,15 +85,15 @@ public:
     /// @param scene the shown scene; null: none @param size scene picture, pixels
     const MeasuredConversion* measured_conversion(const Scene* scene, glm::ivec2 size) const;
 
-    /// Returns true while something is being measured.
+    /// Returns true while something is being measured in the background.
     bool busy() const {
         return std::apply([](const auto&... work) { return (work.busy() || ...); }, all());
     }
-    /// Returns true if results or progress have changed since the last poll() and update().
+    /// Returns true if results or progress of background measurements have changed since the last poll() and update().
     bool has_news() const {
         return std::apply([](const auto&... work) { return (work.has_news() || ...); }, all());
     }
-    /// Waits until nothing is being measured.
+    /// Waits until nothing is being measured in the background.
     void finish() const {
         std::apply([](const auto&... work) { (work.wait(), ...); }, all());
     }
@@ -104,8 +105,9 @@ private:
     /// Polls one background search (EditorSearch), and logs why it has failed or was cancelled. Returns true if the
     /// search has ended.
     bool poll_found(auto& search);
-    /// Replaces the present settings by those that all cases of the shown sweep share, so that the picture is
-    /// comparable with the sweep. One step of undo; view settings stay, except the shown light (view.light).
+    /// Replaces the present settings by those that all cases of the shown sweep (measurement of many settings) share,
+    /// so that the picture is comparable with the sweep. One step of undo; view settings stay, except the shown light
+    /// (view.light).
     void apply_sweep_base();
 
     EditorState& state_;

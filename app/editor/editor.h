@@ -40,7 +40,7 @@ struct EditorOptions {
 Page page_named(const std::string& name);
 
 /// Runs the editor until its window is closed. With EditorOptions::headless, writes a screenshot and returns instead.
-/// Returns remarks about the first scene.
+/// Returns remarks about the scene that it loaded first.
 /// @throws Error without a display or OpenGL 4.5; if the screenshot's scene cannot be loaded, or an output file cannot
 /// be written; if a number is invalid (EditorOptions::check_numeric)
 std::vector<std::string> run_editor(const EditorOptions& options);

@@ -50,7 +50,7 @@ public:
     /// Starts to draw a frame if anything has changed and no frame is under way. Waits briefly for the frame
     /// (FrameThread::patience). Returns true if the editor has to be drawn again.
     /// @param scene must not change while under_way()
-    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
+    /// @param comparison settings to compare the picture with (state.compare); null: not loaded yet
     bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
     /// Waits until the drawing thread has finished the frame under way.
     void wait() const;
@@ -73,12 +73,12 @@ public:
     /// the scene has to be drawn again. Does nothing and returns false while a frame is under way.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 
-    /// Returns true while a frame is drawn, or references, light maps or saved errors are computed for it.
+    /// Returns true while a frame is drawn, or ray-traced references, light maps or saved errors are computed for it.
     bool tracing() const { return busy() || loop_->reference().busy(); }
-    /// Returns true if a finished frame waits for poll(), or the next update() will have new results or progress of
+    /// Returns true if a finished frame waits for poll(), or the next update() will have new results or progress of ray
     /// tracing.
     bool tracing_moved() const { return !under_way() && (busy() || loop_->reference().has_news()); }
-    /// Waits until the frame under way is drawn, and all tracing for it has ended.
+    /// Waits until the frame under way is drawn, and all ray tracing for it has ended.
     void finish_tracing() const {
         wait();
         loop_->reference().wait();

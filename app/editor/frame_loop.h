@@ -40,10 +40,10 @@ public:
 
     /// Draws the scene if anything has changed, and updates the data (FrameFacts) that shown panels need. Returns what
     /// has changed, with lines for the log; an error becomes such a line. Call once a frame of the window.
-    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
+    /// @param comparison settings to compare the picture with (state.compare); null: not loaded yet
     FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
-    /// Drops the last drawn frame, its data and its references. Call while the editor shows no scene.
+    /// Drops the last drawn frame, its data and its ray-traced references. Call while the editor shows no scene.
     void clear();
     /// Releases memory that only further drawing needs.
     void release_unused_memory() {
@@ -88,11 +88,11 @@ private:
     /// Continues to trace the reference of the shown picture, and updates everything compared with the picture:
     /// reference, clusters of wrong pixels, other settings. Returns true if the editor has to be drawn again.
     /// @param drawn true: the frame was drawn in this update
-    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
+    /// @param comparison settings to compare the picture with (state.compare); null: not loaded yet
     bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                           const ComparisonFacts* comparison);
-    /// Compares the shown imported map with the map that this program draws from the same light, while a panel requests
-    /// it. Returns true if the result has changed.
+    /// Compares the shown imported map (another engine's shadow map) with the map that this program draws from the same
+    /// light, while a panel requests it. Returns true if the result has changed.
     bool follow_map_comparison(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Fetches the result of the search for invalid numbers (NaN, infinite, out of range) in the frame, while a panel
     /// requests the search. Returns true if the result has changed, or is not finished yet.

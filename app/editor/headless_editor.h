@@ -15,7 +15,8 @@ namespace si {
 /// Editor without a window, drawn into a framebuffer frame by frame, for screenshots and tests.
 class HeadlessEditor {
 public:
-    /// Starts to read the first scene. @param read reads scenes; empty: load_scene()
+    /// Makes the editor and starts to read its first scene (EditorOptions::session). @param read reads scenes; empty:
+    /// load_scene()
     /// @throws Error if there is no OpenGL, or the size cannot be drawn
     explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
 

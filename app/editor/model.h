@@ -27,7 +27,8 @@ namespace si {
 /// draw_editor(). Needs a current OpenGL context all its life.
 class EditorModel {
 public:
-    /// Starts to read the first scene. @param read reads scenes; empty: load_scene()
+    /// Makes the editor and starts to read its first scene (EditorOptions::session). @param read reads scenes; empty:
+    /// load_scene()
     /// @param thread options of the drawing thread; without a context maker, frames are drawn on the calling thread
     /// @throws UsageError, Error for faulty options
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
@@ -54,9 +55,9 @@ public:
     /// @param window picture of the window, top row first
     /// @param pixels number of pixels of `window` per unit of ImGui
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
-    /// Draws the cross-section of the probed pixel, with verdict and legend, in a readable size and writes it to a
-    /// file. Returns false and does nothing if `request` is for another kind of screenshot, or no cross-section is
-    /// shown.
+    /// Draws the cross-section of the probed pixel's shadow test (cut along the light ray), with verdict and legend, in
+    /// a readable size and writes it to a file. Returns false and does nothing if `request` is for another kind of
+    /// screenshot, or no cross-section is shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Checks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
     /// true if the editor has to be drawn again. @param now_s time of a steady clock, seconds
@@ -92,9 +93,9 @@ public:
         presets_.pictures().wait();
         frames_.finish_probe();
     }
-    /// Returns true while a frame is drawn, or references, light maps or saved errors are computed for it.
+    /// Returns true while a frame is drawn, or ray-traced references, light maps or saved errors are computed for it.
     bool tracing() const { return frames_.tracing(); }
-    /// Returns true if the next fulfil() will have a drawn frame, or results or progress of tracing.
+    /// Returns true if the next fulfil() will have a drawn frame, or results or progress of ray tracing.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
     /// Releases memory that only further drawing would need. Call when nothing has happened for a while.
@@ -116,10 +117,10 @@ public:
         import_.finish();
         scenes_.finish();
     }
-    /// Checks that a scene is loaded. @throws Error if not. An editor without a window also throws if the first scene
-    /// lacks an object or camera that the options name
+    /// Checks that a scene is loaded. @throws Error if not. An editor without a window also throws if the scene loaded
+    /// first lacks an object or camera that the options name
     void require_scene() const { scenes_.require(); }
-    /// Returns the remarks about the first scene.
+    /// Returns the remarks about the scene that the editor loaded first.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
     /// Writes autosave, workspace (layout, recent files) and session report to disk, each when it is due. Call
     /// regularly, also while nothing is drawn.
@@ -136,7 +137,7 @@ public:
         persistence_.end(state, presets_.would_be_lost());
         session_.write(state.log);
     }
-    /// Returns the session report (`edit --report`).
+    /// Returns the session report (`edit --report`): driver messages, invalid numbers, errors and memory.
     SessionReport& session() { return session_; }
 
 private:
@@ -151,8 +152,8 @@ private:
     View shown_view(ExportKind kind) const;
     /// Copies to the clipboard a command line of this program that draws the present picture.
     void copy_command_line();
-    /// Returns the cross-section of the probed pixel's shadow test for the shown light (view.light); null: there is
-    /// none.
+    /// Returns the cross-section of the probed pixel's shadow test (cut along the light ray) for the shown light
+    /// (view.light); null: there is none.
     const Section* shown_section() const;
     /// Returns the size of the scene picture in the last drawn frame, pixels.
     glm::ivec2 picture_size() const;

@@ -8,11 +8,11 @@
 
 namespace si {
 
-/// Lists the work of all panels, such as read-backs, as rows of the panel Effects. Work that a panel needs now is
-/// marked as drawn, other work as not needed, each with a reason.
+/// Lists the work of all panels, such as read-backs, as rows of the panel Effects (list of work with its state). Work
+/// that a panel needs now is marked as drawn, other work as not needed, each with a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Makes the row of the panel Effects for the search for clusters of wrong pixels.
+/// Makes the row of the panel Effects (list of work with its state) for the search for clusters of wrong pixels.
 /// @param request the last request for a search @param found result of the last search
 /// @param now true: the search ran for the shown frame; false: for an earlier one
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);

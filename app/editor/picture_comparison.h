@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Returns true if two frame requests have the same picture size, look of the scene, references and light maps. If not,
-/// the picture must be drawn again.
+/// Returns true if two frame requests have the same picture size, look of the scene, ray-traced references and light
+/// maps. If not, the picture must be drawn again.
 bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 
 /// Comparison of the shown frame with its ray-traced reference, or with the frame under other settings. Draws the other
@@ -22,7 +22,7 @@ public:
     /// changed. Returns true if the editor has to be drawn again.
     /// @param request request that the shown frame was drawn for
     /// @param frame the shown frame @param drawn true: the frame was drawn in this update
-    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
+    /// @param comparison settings to compare the shown frame with (state.compare); null: not loaded yet
     /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);

@@ -13,7 +13,7 @@
 namespace si {
 
 /// Diagnoses of the probed pixel, one for each light: whether its shadow equals the ray-traced reference, why not, and
-/// a fix. Also has the cross-sections of its shadow tests.
+/// a fix. Also has the cross-sections of the pixel's shadow tests (cuts along the light ray).
 class EditorPixelDiagnosis {
 public:
     /// Updates the diagnoses of the probed pixel. Builds the ray-tracing hierarchy in the background if needed; a later
@@ -22,8 +22,9 @@ public:
     /// @throws Error if the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
-    /// Computes the cross-sections of the probed pixel's shadow tests, once for each probe, while a panel shows them.
-    /// Call after update(). Returns true if the cross-sections are new. @param shown true: a panel shows them
+    /// Computes the cross-sections of the probed pixel's shadow tests (cuts along the light ray), once for each probe,
+    /// while a panel shows them. Call after update(). Returns true if the cross-sections are new. @param shown true: a
+    /// panel shows them
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
     const Sections& sections() const { return sections_; }
     /// Returns true while the ray-tracing hierarchy is being built. Once ready() returns true, the next update()

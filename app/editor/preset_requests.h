@@ -55,7 +55,8 @@ private:
     /// built-in preset does neither. Returns title and description for the editor to show.
     /// @param scene_name name of the preset's scene, as the editor knows it
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
-    /// Returns true if the key names a guided preset or hard case that ships with the program.
+    /// Returns true if the key names a preset that ships with the program: a guided one (with a sentence on what to
+    /// look at) or a hard case.
     bool is_built_in(const std::string& key) const;
     /// Returns the contents of the preset file that saving writes (state.files.preset_path). Returns null if this
     /// editor has neither opened nor saved the file.

@@ -30,27 +30,28 @@ public:
     /// Returns the last baked light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    /// Stores finished references and light maps, and starts the background job for those that `frame` lacks. Call once
-    /// a frame. Returns true if the scene has to be drawn again, or facts() have changed.
+    /// Stores finished ray-traced references and light maps, and starts the background job for those that `frame`
+    /// lacks. Call once a frame. Returns true if the scene has to be drawn again, or facts() have changed.
     /// @param drawn true: the frame was drawn in this update; no job starts then, since the user may still be dragging
     /// @throws Error if a job has failed
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ReferenceRequests& requests);
-    /// Cancels the background job and drops all references and light maps. Call when there is no frame.
+    /// Cancels the background job and drops all ray-traced references and light maps. Call when there is no frame.
     void clear();
-    /// Releases cached rays of views that are no longer shown; finished references stay, also those of earlier views.
-    /// Call when the editor is idle.
+    /// Releases cached rays of views that are no longer shown; finished ray-traced references stay, also those of
+    /// earlier views. Call when the editor is idle.
     void release_unused_memory();
 
     /// Returns state, progress and times of the ray-traced reference for the shown light.
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
-    /// Returns the pixels that are traced so far of the shown light's reference, also after a cancelled trace. Returns
-    /// null if the frame has the reference already, or tracing was not begun.
+    /// Returns the pixels that are traced so far of the shown light's ray-traced reference, also after a cancelled
+    /// trace. Returns null if the frame has the reference already, or tracing was not begun.
     const TracedSoFar* so_far(const FrameResult& frame) const;
-    /// Returns true if the next update() will find a finished result, or the progress has changed.
+    /// Returns true if the next update() will find a finished reference, light map or saved file, or the progress has
+    /// changed.
     bool has_news() const { return job_.has_news(); }
-    /// Waits until the background job has ended.
+    /// Waits until the background job (references, light maps, saved errors) has ended.
     void wait() const { job_.wait(); }
     /// Returns the outcome of saving the error metrics (ReferenceRequests::save_error) as a line for the log, once:
     /// "Saved F.json". Empty: nothing to report.
@@ -70,7 +71,8 @@ private:
     /// Records which work the background job does, for its progress text and time estimate. Call before the job starts.
     /// @param doing name of the work: "Tracing rays" @param key cache key of the picture that the work is for
     void begin_work(const char* doing, std::uint64_t key);
-    /// Starts the background job that traces the reference of one light. @param light the index of the light
+    /// Starts the background job that traces the reference of one light's shadows by rays. @param light the index of
+    /// the light
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
     /// Starts the background job that bakes a light map: visibility of one light, traced into textures.

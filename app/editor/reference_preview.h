@@ -16,7 +16,8 @@ public:
     /// picture has changed. @param so_far pixels to show; null: no reference is being traced, and the picture is
     /// dropped
     bool update(const TracedSoFar* so_far);
-    /// Returns the picture, RGBA8 with alpha 0 where nothing is traced yet; empty: there is none.
+    /// Returns the picture of the ray-traced reference, RGBA8 with alpha 0 where nothing is traced yet; empty: there is
+    /// none.
     Image image() const { return {texture_.id(), size_.x, size_.y}; }
 
 private:

@@ -19,7 +19,7 @@ public:
     /// (ReportFacts::problem). An existing file is replaced only if request.replace is set.
     /// @param size size of the picture, pixels
     void start(const Scene& scene, glm::ivec2 size, const ReportRequest& request);
-    /// Cancels the report under way; its file stays as it was.
+    /// Cancels the HTML report under way; its file stays as it was.
     void cancel() { job_.cancel(); }
     /// Writes the HTML report once its measurements have ended, and logs the outcome. Call once a frame. Returns true
     /// if a report has ended.

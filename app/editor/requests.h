@@ -8,14 +8,14 @@
 
 namespace si {
 
-/// Adds an error to the log and brings the log to the front.
+/// Adds an error to the editor's log and brings the page Log to the front.
 inline void report(EditorState& state, const std::string& error) {
     state.log.add(LogKind::Error, error);
     state.window.open_page = Page::Log;
 }
 
-/// Runs `work`, and reports an exception that it throws in the log. Returns true in any case: the editor has to be
-/// drawn again.
+/// Runs `work`. An exception that it throws becomes an error in the editor's log. Returns true in any case: the editor
+/// has to be drawn again.
 template <typename Work>
 bool attempt(EditorState& state, const Work& work) {
     try {

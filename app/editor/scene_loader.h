@@ -38,8 +38,8 @@ class SceneLoader {
 public:
     /// Makes a loader without a scene. @param state, memory parts of the editor, which must outlive this object
     /// @param read reads scenes; empty: load_scene()
-    /// @param strict true: an object or camera that the options name and the first scene lacks is an error; false: the
-    /// log reports it
+    /// @param strict true: an object or camera that the options name and the scene loaded first lacks is an error;
+    /// false: the log reports it
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
     /// Sets the settings that the editor shows before the first scene is loaded, and starts the undo history with them.
@@ -48,12 +48,12 @@ public:
     /// Returns the scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
     /// Returns the shown scene, for work that needs one. @throws Error if there is none, for example because its
-    /// loading has failed. With the constructor's `strict`, loading also fails if the first scene lacks an object or
-    /// camera that the options name
+    /// loading has failed. With the constructor's `strict`, loading also fails if the scene loaded first lacks an
+    /// object or camera that the options name
     const Scene& require() const;
     /// Returns the reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
-    /// Returns the remarks about the first scene.
+    /// Returns the remarks about the scene that was loaded first.
     const std::vector<std::string>& notes() const { return notes_; }
 
     /// Starts to load a scene in the background, and cancels an earlier loading. A later poll() shows the scene.
@@ -63,7 +63,8 @@ public:
     void show(Arrival arrival);
     /// Starts to read the shown scene's files again, after another program has saved them. A later poll() shows the new
     /// version; a failure keeps the shown one.
-    /// @param aspect width / height of the picture, needed to keep its camera @throws Error for a built-in scene
+    /// @param aspect width / height of the picture, needed to keep the picture's camera @throws Error for a built-in
+    /// scene
     void reload(double aspect);
     /// Checks whether the shown scene's files were saved again. Does nothing while a scene is being loaded. Returns
     /// true if files_changed() now returns another value than before. @param now_s time of a steady clock, seconds
@@ -83,7 +84,7 @@ public:
     /// Waits until no scene is being loaded, and shows the loaded scene.
     void finish();
     const SceneLoading& loading() const { return loading_; }
-    /// Returns true if a step of undo or redo waits for show_undo_step().
+    /// Returns true if a step of undo or redo, which belongs to another scene, waits for show_undo_step().
     bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
     /// Shows a step of undo or redo that belongs to another scene. Loads the scene first unless it is shown already.
     void show_undo_step();

@@ -27,21 +27,24 @@ struct SearchSubject {
     int width = 0;                          ///< pixels of the picture
     int height = 0;                         ///< pixels of the picture
     const EngineProfile* engine = nullptr;  ///< engine that is to draw the found settings; null: none
-    /// Returns true if measurements of this subject and of `other` give the same result.
+    /// Returns true if measurements of this subject (scene, settings, picture size) and of `other` give the same
+    /// result.
     bool measures_like(const SearchSubject& other) const {
         return scene == other.scene && width == other.width && height == other.height &&
                measured_settings(settings) == measured_settings(other.settings);
     }
-    /// Returns true if searches about this subject and about `other` try the same changes and give the same result.
+    /// Returns true if searches about this subject (scene, settings, picture size, engine) and about `other` try the
+    /// same changes and give the same result.
     bool searches_like(const SearchSubject& other) const { return engine == other.engine && measures_like(other); }
-    /// Returns true if frames of this subject and of `other` are the same, overlays included.
+    /// Returns true if frames of this subject (scene, settings, picture size) and of `other` are the same, overlays
+    /// included.
     bool draws_like(const SearchSubject& other) const {
         return scene == other.scene && width == other.width && height == other.height && settings == other.settings;
     }
 };
 
-/// Background search, one at a time, which keeps the last result with its subject. Results so far appear while a search
-/// runs, and stay when it is cancelled. @tparam T result of a search
+/// Background search, one at a time, which keeps the last result with its subject (scene, settings, picture size).
+/// Results so far appear while a search runs, and stay when it is cancelled. @tparam T result of a search
 template <typename T>
 class EditorSearch : public Job<T, SearchProgress> {
     using Base = Job<T, SearchProgress>;
@@ -56,10 +59,11 @@ public:
         std::string problem;  ///< error, or message after cancel(); empty: there is a result
     };
 
-    /// Makes a search that does not run yet. @param cancelled message after cancel()
+    /// Makes a background search that does not run yet. @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
-    /// Starts a search with a copy of the scene, and cancels the search under way. `work` gets an OpenGL context and a
-    /// renderer of its own, and the settings of the subject. @param first name of the first step, for the progress bar
+    /// Starts a background search with a copy of the scene, and cancels the search under way. `work` gets an OpenGL
+    /// context and a renderer of its own, and the settings of the subject. @param first name of the first step, for the
+    /// progress bar
     void start(const Scene& scene, const SearchSubject& of, const char* first,
                std::function<T(const SearchTools&, const Settings&, const Show&)> work) {
         started_ = of;
@@ -85,8 +89,8 @@ public:
             },
             {first, 0});
     }
-    /// Stores the result of a search that has ended, or its results so far. Returns the outcome of an ended search
-    /// once; nothing while it runs.
+    /// Stores the result of a background search that has ended, or its results so far. Returns the outcome of an ended
+    /// search once; nothing while it runs.
     std::optional<End> poll() {
         take_partial();
         auto outcome = Base::poll();
@@ -100,16 +104,16 @@ public:
                            : outcome->cancelled ? cancelled_
                                                 : std::string()};
     }
-    /// Cancels the search under way, and drops the last result.
+    /// Cancels the background search under way, and drops the last result.
     void forget() {
         Base::cancel();
         found_.reset();
         partial_ = std::make_shared<Partial>();
     }
 
-    /// Returns the latest result, also of a search that still runs or was cancelled; null: none.
+    /// Returns the latest result, also of a background search that still runs or was cancelled; null: none.
     const T* found() const { return found_ ? &*found_ : nullptr; }
-    /// Returns the result of the last search if it is about this scene, else null. @param scene Scene::id
+    /// Returns the result of the last background search if it is about this scene, else null. @param scene Scene::id
     const T* found_in(std::uint64_t scene) const { return of_.scene == scene ? found() : nullptr; }
     /// Returns the subject (scene, settings, picture size) of the result that found() returns.
     const SearchSubject& subject() const { return of_; }

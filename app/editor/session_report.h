@@ -21,13 +21,14 @@ public:
 
     /// Adds a message of the OpenGL driver to the session report.
     void note_driver(const std::string& message);
-    /// Keeps the description of the first invalid number; ignores later ones.
+    /// Keeps the description of the first invalid number (NaN, infinite, out of range) for the session report; ignores
+    /// later ones.
     void note_unsound(std::string_view what) {
         if (unsound_.empty()) unsound_ = what;
     }
-    /// Counts a frame of the editor.
+    /// Counts a frame of the editor for the session report.
     void note_frame() { ++frames_; }
-    /// Counts traced references: each trace that begins, or begins again.
+    /// Counts ray-traced references for the session report: each trace that begins, or begins again.
     /// @param progress progress of the trace under way, 0..1; none: no rays are traced
     void note_tracing(std::optional<double> progress) {
         if (progress && (!tracing_ || *progress < *tracing_)) ++traces_;

@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Frame that the shader warm-up draws so that the driver compiles its shaders, including those of its probe.
+/// Frame that the shader warm-up draws so that the driver compiles its shaders, including those of its pixel probe.
 struct WarmupFrame {
     std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by make_proxy_scene()
     Settings settings;

@@ -28,20 +28,23 @@ public:
     /// specification.
     /// @throws UsageError, Error
     void start(const Scene& scene, const EditorState& state, const SweepRequest& request);
-    /// Cancels the running sweep. Measured cases stay.
+    /// Cancels the running sweep (measurement of many settings). Measured cases stay.
     void cancel() {
         if (thread_) thread_->cancel_sweep();
     }
     /// Measures error and time of the present settings in the background, for the panel Frontier, unless they are
-    /// measured already. Then measures the pinned settings and the defaults of the chosen engine, which the plot marks
-    /// beside the present settings. Cancels a measurement of other settings. Call each frame.
+    /// measured already. Then measures the pinned settings and the defaults of the chosen engine, which the frontier
+    /// plot (error against cost) marks beside the present settings. Cancels a measurement of other settings. Call each
+    /// frame.
     void measure_present(const Scene& scene, const EditorState& state);
-    /// Stops measuring the present settings, the pinned ones and the engine's defaults. Call when no panel shows them.
+    /// Stops measuring the present settings, the pinned ones and the chosen engine's defaults. Call when no panel shows
+    /// them.
     void stop_measuring_present();
-    /// Reads a sweep from its folder and shows the results in the panel Frontier. @param panel state of the panel; gets
-    /// axes and size of the sweep @throws Error
+    /// Reads a sweep (measurement of many settings) from its folder and shows the results in the panel Frontier.
+    /// @param panel state of the panel; gets axes and size of the sweep @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
-    /// Writes the shown sweep into a folder: journal of the measured cases, pictures, tables and report. @throws Error
+    /// Writes the shown sweep (measurement of many settings) into a folder: journal of the measured cases, pictures,
+    /// tables and report. @throws Error
     void save(const std::filesystem::path& folder) const;
 
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
@@ -52,8 +55,8 @@ public:
     void wait() const {
         if (thread_) thread_->wait();
     }
-    /// Fetches new results of the measuring thread, and updates the plot for the axes that the panel Frontier has
-    /// chosen. Call each frame. Returns true if facts() have changed.
+    /// Fetches new results of the measuring thread, and updates the frontier plot (error against cost) for the axes
+    /// that the panel Frontier has chosen. Call each frame. Returns true if facts() have changed.
     bool update(const EditorState& state);
     const SweepFacts& facts() const { return facts_; }
     /// Returns the settings that all cases of the shown sweep share; null: no sweep is shown.
@@ -84,8 +87,8 @@ private:
     void fetch_results();
     /// Adds a finished measurement to a list of the last 16 ones. Replaces an earlier measurement of the same settings.
     static void note_finished(std::vector<Finished>& list, const Finished& finished);
-    /// Starts to measure the settings that the plot marks beside the present ones: the pinned settings, then the
-    /// defaults of the chosen engine. Does nothing while another measurement runs.
+    /// Starts to measure the settings that the frontier plot (error against cost) marks beside the present ones: the
+    /// pinned settings, then the defaults of the chosen engine. Does nothing while another measurement runs.
     void measure_marks(const Scene& scene, const EditorState& state);
     /// Returns the present picture under other settings, as a task for the measuring thread. Returns nothing if the
     /// settings change scene or camera, or do not change the shadows.
@@ -95,7 +98,8 @@ private:
     const Settings* engine_defaults(const Scene& scene, const EditorState& state);
     /// Returns the stored measurement of a picture; null: the picture was not measured.
     const Finished* finished(const std::optional<MeasuringThread::Picture>& picture) const;
-    /// Earlier measurement of the same picture under other settings, which the plot shows beside the present one.
+    /// Earlier measurement of the same picture under other settings, which the frontier plot (error against cost) shows
+    /// beside the present one.
     struct Earlier {
         const Finished* is = nullptr;  ///< measurement; null: the same picture was not measured before
         bool pinned = false;
@@ -103,8 +107,9 @@ private:
     /// Returns the measurement that the present settings are compared with: of the pinned settings, else of other
     /// settings measured last. Earlier::is is null if there is none.
     Earlier earlier(const EditorState& state) const;
-    /// Finds differences between the present settings and the shown sweep. The panel Frontier warns of them. Writes
-    /// facts_.other_settings (settings that differ and that the sweep does not vary) and facts_.other_scene.
+    /// Finds differences between the present settings and the shown sweep (measurement of many settings). The panel
+    /// Frontier warns of them. Writes facts_.other_settings (settings that differ and that the sweep does not vary) and
+    /// facts_.other_scene.
     void compare_settings(const EditorState& state);
     /// Removes folders that this run made for results of sweeps, if no case was measured in them. A folder that cannot
     /// be removed yet, for example because its sweep holds the lock, is tried again at the next call.

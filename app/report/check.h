@@ -42,7 +42,7 @@ struct CheckLimits {
 };
 
 /// Returns the keys of the error metrics that the command `check` can limit: those whose distance from the best value
-/// is at most 1.
+/// (0, or 1 where more is better) is at most 1.
 std::vector<std::string_view> checked_errors();
 /// Finds an error metric that the command `check` can limit. @param key key of the metric; empty: the first of
 /// checked_errors() @throws UsageError listing the known keys

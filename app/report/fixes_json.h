@@ -14,7 +14,8 @@ nlohmann::ordered_json changes_json(const std::vector<std::pair<std::string, std
 /// Converts a change of the frame time to JSON {difference, noise, told}, in milliseconds. `told` is true if the
 /// difference exceeds its noise.
 nlohmann::ordered_json change_json(const CostChange& ms);
-/// Converts a table of measured fixes to JSON: one object a row, in the table's order.
+/// Converts a table of measured fixes (changes of settings against wrong pixels) to JSON: one object a row, in the
+/// table's order.
 /// @param engine engine whose changed bias parameters each row contains as "engine"; without a profile: none
 nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
 /// Converts a parameter of another engine, with the number converted from this program's settings, to JSON {value,
@@ -30,8 +31,8 @@ nlohmann::ordered_json engine_changes_json(const EngineWording& engine,
 /// three.js lacks were not tried".
 std::string refused_text(std::size_t count, const EngineWording& engine);
 
-/// Prints a table of measured fixes to stdout: the best fix, then the changes that help. Changes that were not tried
-/// are listed with the reason.
+/// Prints a table of measured fixes (changes of settings against wrong pixels) to stdout: the best fix, then the
+/// changes that help. Changes that were not tried are listed with the reason.
 /// @param rows largest number of helpful changes to print @param engine engine whose changed bias parameters are
 /// printed, too; without a profile: none
 void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine = {});

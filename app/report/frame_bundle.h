@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// File format of the shadow maps in a bundle that this program writes. Both formats hold the stored depths as 32-bit
-/// floats.
+/// File format of the shadow maps in a bundle (the files of one frame) that this program writes. Both formats hold the
+/// stored depths as 32-bit floats.
 enum class MapFile {
     Pfm,
     Exr  ///< losslessly compressed
@@ -26,7 +26,8 @@ Scene written_scene(const Scene& shown);
 BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
                             MapFile maps = MapFile::Pfm);
 
-/// Checks that a bundle to be written contains no file that the frame reads: no file of the scene, and no imported map.
+/// Checks that a bundle (the files of one frame) to be written contains no file that the frame reads: no file of the
+/// scene, and no imported map.
 /// @param bundle path of the bundle to write @throws UsageError
 void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings);
 

@@ -16,15 +16,16 @@ struct FrontierSvgOptions {
     std::function<std::size_t(std::size_t)> number = {};
 };
 
-/// Returns the text of the style element in the SVG of a frontier plot. It is equal for all plots, so that a page can
-/// allow it by hash in its Content-Security-Policy. @param in_page FrontierSvgOptions::in_page
+/// Returns the text of the style element in the SVG of a frontier plot (error against cost). It is equal for all plots,
+/// so that a page can allow it by hash in its Content-Security-Policy. @param in_page FrontierSvgOptions::in_page
 std::string frontier_svg_style(bool in_page);
-/// Formats a drawing of the frontier as self-contained SVG without external fonts, scripts or files. Equal drawings
-/// give equal bytes. A case under the mouse shows its name and its whisker (noise of the cost).
+/// Formats the drawing of a frontier plot (error against cost) as self-contained SVG without external fonts, scripts or
+/// files. Equal drawings give equal bytes. A case under the mouse shows its name and its whisker (noise of the cost).
 /// @param plot plot that was drawn
 std::string frontier_svg(const FrontierDrawing& drawing, const FrontierPlot& plot,
                          const FrontierSvgOptions& options = {});
-/// Draws a frontier plot as SVG, 640 pixels wide, with a sentence on the knee and a table of the best cases.
+/// Draws a frontier plot (error against cost) as SVG, 640 pixels wide. Adds a sentence on the knee, after which more
+/// cost gains little, and a table of the best cases.
 std::string frontier_svg(const FrontierPlot& plot, const FrontierSvgOptions& options = {});
 
 }  // namespace si

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Value of the field `format` in path.json, by which the program recognises the file.
+/// Value of the field `format` in path.json (measurements along a light's path), by which the program recognises the
+/// file.
 inline constexpr std::string_view kLightPathFormat = "shadow-inspector-light-path";
 
 /// Measurements of the shadows at each step along a path of the light, with the facts that their report shows.

@@ -24,8 +24,8 @@ inline constexpr std::array<std::pair<std::string_view, ProductOrder>, 2> kProdu
 inline constexpr std::array<std::pair<std::string_view, MirroredAxis>, 4> kMirroredKeys{
     {{"none", MirroredAxis::None}, {"x", MirroredAxis::X}, {"y", MirroredAxis::Y}, {"z", MirroredAxis::Z}}};
 
-/// Returns the word that options use for one part of a convention, such as "rows" for MatrixOrder::Rows; "?" if the
-/// table lacks it. @param table pairs of word and value, such as kMatrixKeys
+/// Returns the word that options use for one part of a shadow map's convention, such as "rows" for MatrixOrder::Rows;
+/// "?" if the table lacks it. @param table pairs of word and value, such as kMatrixKeys
 template <typename Table, typename T>
 std::string_view convention_word(const Table& table, const T& value) {
     for (const auto& [key, own] : table)
@@ -52,7 +52,7 @@ struct MapImport {
 /// Reads a shadow map's image and its light, tries all conventions under which the map may be read, and compares each
 /// with a scene.
 /// @param scene built-in key or path; empty: only range and consistency can tell conventions apart
-/// @param stated parts of the convention that the user states, which go before those of the light's file
+/// @param stated parts of the convention that the user states, which go before those that the file `light` states
 /// @param file choices for the scene's file: index of its scene, up axis and unit @throws Error
 MapImport read_map_import(const std::filesystem::path& image, const std::filesystem::path& light,
                           const std::string& scene, const KnownConvention& stated = {}, const FileChoices& file = {});
@@ -61,8 +61,8 @@ MapImport read_map_import(const std::filesystem::path& image, const std::filesys
 /// @param has_pair true: the light has separate view and projection matrices. The text then has --product, the order in
 /// which they are multiplied.
 std::string convention_options(const Convention& convention, bool has_pair);
-/// Formats axes, mirroring and unit of a light's file in a few words: "z up, x mirrored, 0.01" for a unit of 0.01.
-/// Returns "the scene's" if they equal the scene's own.
+/// Formats axes, mirroring and unit of a light's file (JSON with the light of an imported map) in a few words: "z up, x
+/// mirrored, 0.01" for a unit of 0.01. Returns "the scene's" if they equal the scene's own.
 std::string axes_words(const LightAxes& axes);
 
 /// Lists the conventions under which an imported shadow map may be read, the best fit first, for the import dialog.
@@ -70,8 +70,8 @@ std::string axes_words(const LightAxes& axes);
 /// @throws Error if the light's matrix fits none of them
 std::vector<ImportChoice> reading_choices(const MapImport& map);
 
-/// Writes an imported shadow map as a bundle, read under one convention. The bundle appears whole or not at all.
-/// Returns remarks for the user.
+/// Writes an imported shadow map, read under one convention, as a bundle (the files of one frame). The bundle appears
+/// whole or not at all. Returns remarks for the user.
 /// @param index index of the convention in MapImport::fits @param output bundle to write
 /// @throws Error for a refused convention, or if the bundle would replace an input
 std::vector<std::string> write_map_import(const MapImport& map, std::size_t index, const std::filesystem::path& output);

@@ -37,7 +37,8 @@ nlohmann::ordered_json cost_json(const WorkCost& cost);
 /// Parses the error metrics of a picture from the JSON that error_json() makes. Missing numbers become NaN, missing
 /// counts 0.
 ErrorMetrics error_from_json(const nlohmann::ordered_json& json);
-/// Parses the work of a frame from the JSON that cost_json() makes. Missing members become 0.
+/// Parses the work of a frame (texels, taps, bytes, draws, triangles) from the JSON that cost_json() makes. Missing
+/// members become 0.
 WorkCost cost_from_json(const nlohmann::ordered_json& json);
 /// Returns the number in a field of a JSON object; NaN if the field is missing or no number.
 double number_or_nan(const nlohmann::ordered_json& json, std::string_view field);

@@ -24,8 +24,8 @@ nlohmann::ordered_json driver_json(const DriverInfo& driver);
 nlohmann::ordered_json memory_json(const MemoryReport& facts);
 /// Converts lost casters to JSON. A lost caster should cast a shadow but leaves nothing in a light's map.
 nlohmann::ordered_json lost_casters_json(const Scene& scene, const std::vector<LostCaster>& lost);
-/// Makes the JSON report of a drawn frame for `render --report`: scene, settings, camera, fit of each light, passes and
-/// driver. @param view key of the view that was drawn
+/// Makes the JSON report of a drawn frame for `render --report`: scene, settings, camera, fit of each light (what its
+/// maps cover), passes and driver. @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);
 

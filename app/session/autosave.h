@@ -44,7 +44,8 @@ public:
     /// @param unsaved true: keeps the file if scene or settings (without camera and view) differ from those at the
     /// start of the editor; the next start then offers them, as after a crash. false: removes the file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
-    /// Returns the errors of autosave and of reading lost sessions since the last call, one line each, and clears them.
+    /// Returns the errors of autosave and of reading sessions of crashed editors since the last call, one line each,
+    /// and clears them.
     std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:

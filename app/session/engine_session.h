@@ -31,8 +31,9 @@ struct EngineSession {
 EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets);
 
 /// Returns width, depth range and texels of the shadow map of the light that view.light selects, for conversions to an
-/// engine's parameters. They come from the imported map, if the settings name a bundle with one. Otherwise the light is
-/// fitted for a picture of 16:9. Of several cascades the first counts.
+/// engine's parameters. They come from the imported map, if the settings name a bundle (files of an engine's frame)
+/// with one. Otherwise the light's map is fitted to the scene, for a picture of 16:9. Of several cascades the first
+/// counts.
 /// @throws Error for a bundle that cannot be read
 MapFacts map_facts(const Scene& scene, const Settings& settings);
 
@@ -40,8 +41,8 @@ MapFacts map_facts(const Scene& scene, const Settings& settings);
 /// then the values of the engine's parameters. Without a preset, parameters without a value take the engine's defaults
 /// for filter, casters, map format and bias. The default bias gives way to bias settings of --set.
 /// @param scene posed scene @param has_preset the settings come from a preset
-/// @param sets assignments of --set, which win over the engine's defaults @param settings composed settings of the
-/// scene
+/// @param sets assignments of --set, which win over the engine's defaults @param settings settings to change, composed
+/// from preset, scene and --set
 /// @returns notes: what is not exact, what is replaced, what the engine lacks @throws Error, UsageError
 std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& scene, bool has_preset,
                                       std::span<const std::string> sets, Settings& settings);

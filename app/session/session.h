@@ -29,7 +29,8 @@ struct SessionOptions {
     std::string profile = {};
 };
 
-/// Loaded and posed scene with the settings that were composed for it. Commands and the editor work on a session.
+/// Loaded and posed scene with its settings, composed from preset, scene and --set. Commands and the editor work on a
+/// session.
 struct Session {
     std::string scene_name;  ///< name or path given to load_scene()
     Scene scene;
@@ -38,7 +39,7 @@ struct Session {
     EngineWording engine = {};       ///< engine whose parameters texts name; without a profile: none
 };
 
-/// Checked options of a session. The preset is read already, the scene is not.
+/// Checked options of a session (a scene with its settings). The preset is read already, the scene is not.
 struct SessionPlan {
     std::string scene_name;  ///< for load_scene()
     std::optional<Preset> preset;
@@ -52,11 +53,11 @@ struct SessionPlan {
 /// @throws UsageError; Error for an unreadable preset
 SessionPlan plan_session(const SessionOptions& options);
 
-/// Returns the options with which load_scene() reads the scene of a plan: the scene inside the file, its up axis and
-/// unit.
+/// Returns the options with which load_scene() reads the scene of a session plan: the scene inside the file, its up
+/// axis and unit.
 GltfOptions scene_options(const SessionPlan& plan);
 
-/// Settings of a session with the notes made while composing them.
+/// Settings of a scene, composed from defaults, preset and --set, with the notes made meanwhile.
 struct ComposedSettings {
     Settings settings;
     std::vector<std::string> notes;  ///< repairs and remarks
@@ -81,15 +82,18 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
 void require_outputs_not_read(std::span<const std::filesystem::path> outputs, const Scene& scene,
                               const std::string& preset);
 
-/// Opens a session for a command: checks the options, loads the scene, poses it and composes its settings.
+/// Opens a session (a scene with its settings) for a command: checks the options, loads the scene, poses it and
+/// composes its settings.
 /// @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
 /// Changes one setting by an assignment "KEY=VALUE" of --set, and the settings that the value implies
-/// (implied_values()). Unlike in apply_sets(), a new bias.kind does not set its starting values. @throws UsageError
+/// (implied_values()). Unlike in apply_sets(), a new bias.kind does not set its starting values (bias settings that it
+/// brings along). @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 /// Changes settings by all assignments "KEY=VALUE" of --set, in order. An assignment that changes bias.kind also sets
-/// the starting values of the new kind. Settings that other assignments name, before or after it, keep theirs.
+/// the starting values of the new kind (bias settings that it brings along). Settings that other assignments name,
+/// before or after it, keep theirs.
 /// @throws UsageError
 void apply_sets(Settings& settings, std::span<const std::string> assignments);
 /// Returns the keys of the settings that assignments "KEY=VALUE" of --set change, with those that a value implies.

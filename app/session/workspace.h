@@ -63,11 +63,11 @@ public:
 
     /// Returns the workspace as last read or written by this process.
     const WorkspaceData& data() const { return data_; }
-    /// Changes the workspace in memory and in its file, on top of changes that other editors wrote. Never throws:
-    /// errors go to take_remarks().
+    /// Changes the workspace (layout, window, recent files) in memory and in its file, on top of changes that other
+    /// editors wrote. Never throws: errors go to take_remarks().
     /// @param edit function that makes the change; may be called twice, on different data
     void change(const std::function<void(WorkspaceData&)>& edit);
-    /// Returns the errors of reading and writing the workspace since the last call, one line each.
+    /// Returns the errors of reading and writing the workspace file since the last call, one line each.
     std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:

@@ -22,8 +22,8 @@ struct Column {
     std::function<const Spread*(const CaseNumbers&)> bounded = {};  ///< distribution of the value; null: not measured
 };
 
-/// Keys of columns with shadow times: while the light moves, as a multiple of the base case's time, and while only the
-/// camera moves.
+/// Keys of columns with shadow times: while the light moves, as a multiple of the base case's time (hard kernel, 1024
+/// texels), and while only the camera moves.
 inline constexpr const char* kMovingShadowColumn = "shadow.moving_ms.median";
 inline constexpr const char* kOfBaseColumn = "shadow.of_base";
 inline constexpr const char* kStillShadowColumn = "shadow.still_ms.median";
@@ -36,15 +36,15 @@ const Column* find_column(std::string_view key);
 /// "Time of a frame while the camera moves".
 std::string label_of(const Column& column, CostCase cost);
 
-/// Returns the number that plots show for a column of one case; less is better. It is the distance of the value from
-/// the best one, or the upper bound of a value within its noise. NaN if the value was not measured, or if no value is
-/// best (Better::Neither).
+/// Returns the number that plots show for a column of one case of a sweep; less is better. It is the distance of the
+/// measured value from the ideal one (0, or 1 where more is better). A time that does not exceed its noise gives its
+/// upper bound instead. NaN if the value was not measured, or if no value is ideal (Better::Neither).
 double plotted_value(const Column& column, const CaseNumbers& numbers);
-/// Returns true when a case's value in a column does not differ from 0 by more than its noise. Plots then show its
-/// upper bound.
+/// Returns true when a case's value in a column of sweep results does not differ from 0 by more than its noise. Plots
+/// then show its upper bound.
 bool is_bound(const Column& column, const CaseNumbers& numbers);
-/// Returns the noise of a case's value in a column; 0: exact or unknown. Smaller differences between cases have no
-/// meaning.
+/// Returns the noise of a case's value in a column of sweep results; 0: exact or unknown. Smaller differences between
+/// cases have no meaning.
 double noise_of(const Column& column, const CaseNumbers& numbers);
 
 }  // namespace si

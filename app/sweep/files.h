@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> sweep_files(const std::filesystem::path& fold
 bool lacks_pictures(const std::filesystem::path& folder, std::size_t case_number);
 
 /// Formats the Pareto front of a sweep (cases that no other one beats in both cost and error) as lines for the
-/// terminal. They begin with a sentence on the knee of the front (knee_sentence()).
+/// terminal. They begin with a sentence on the knee of the front, after which more cost gains little.
 std::string frontier_text(const SweepResults& results);
 
 }  // namespace si

@@ -24,7 +24,7 @@ MeasuredCase measured_case(const CaseNumbers& numbers);
 FrontierPlot frontier_plot(const std::vector<SweepRow>& rows, const std::string& cost, const std::string& error,
                            CostCase timed = kFrontierCost);
 /// Makes the data of a frontier plot (error against cost) from the results of a sweep, with the columns SweepResults::x
-/// and y on the axes. Also marks the base of cost multiples (base_case()).
+/// and y on the axes. Also sets the cost of the base case (hard kernel, 1024 texels), as add_base() does.
 FrontierPlot frontier_plot(const SweepResults& results);
 /// Adds settings that are no case of the sweep, such as the present ones, to a frontier plot (error against cost). The
 /// new spot is drawn below the spots that the plot already has. Does nothing if `numbers` lacks a value for an axis.

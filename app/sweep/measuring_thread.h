@@ -17,8 +17,8 @@
 
 namespace si {
 
-/// Background thread that measures sweeps and single pictures with an OpenGL context of its own, so that the editor
-/// never waits.
+/// Background thread that measures sweeps (many settings, case by case) and single pictures with an OpenGL context of
+/// its own, so that the editor never waits.
 class MeasuringThread {
 public:
     /// Starts the measuring thread. @param kept time that maps, programs and the GL context stay in memory after the

@@ -14,12 +14,13 @@ inline constexpr int kResultsVersion = 1;
 /// File name of the preset, in a sweep's folder, with the settings that all cases share.
 inline constexpr const char* kBasePreset = "base.json";
 
-/// Rounds of timed frames whose times are comparable. In each round every measured case was timed. All rounds have the
-/// same machine, driver, clock and kind of frames.
+/// Rounds of timed frames of a sweep whose times are comparable. In each round every measured case was timed. All
+/// rounds have the same machine, driver, clock and kind of frames (redrawn, moving camera or moving light).
 using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
 /// Selects the rounds of timed frames by which the cases of a sweep are compared. Only complete rounds with the same
-/// machine, driver, clock and kind of frames (CostCase) count. The kind is that of the latest run with a complete
-/// round. Of several machines, the one with the most complete rounds is chosen; if equally many, the latest.
+/// machine, driver, clock and kind of frames (redrawn, moving camera or moving light) count. The kind is that of the
+/// latest run with a complete round. Of several machines, the one with the most complete rounds is chosen; if equally
+/// many, the latest.
 RankedRounds ranked_rounds(const SweepState& state);
 /// Selects the complete rounds of timed frames in a sweep that are comparable with a process: same machine, driver,
 /// clock and kind of frames. @param run description of the process
@@ -42,8 +43,8 @@ struct SweepRow {
     std::vector<std::string> notes;
 };
 
-/// Results of a sweep for files and plots: counts of cases and of ranked rounds, the Pareto front, and one row per
-/// case.
+/// Results of a sweep for files and plots: counts of cases and of comparable timing rounds, the Pareto front, and one
+/// row per case.
 struct SweepResults {
     nlohmann::ordered_json spec;  ///< SweepState::spec
     std::size_t combinations = 0, cases = 0, finished = 0, failed = 0;
@@ -66,8 +67,8 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan);
 /// is written.
 nlohmann::ordered_json results_json(const SweepResults& results);
 
-/// Converts the time of the shadows alone to JSON {moving_ms, still_ms, forced_ms, of_base}. `of_base` is null if it is
-/// within the noise.
+/// Converts the time of the shadows alone to JSON {moving_ms, still_ms, forced_ms, of_base}. `of_base`, the multiple of
+/// the base case's time (hard kernel, 1024 texels), is null within the noise.
 nlohmann::ordered_json shadow_json(const ShadowTime& time);
 
 /// Formats the results of a sweep as CSV: a header and one line per case (RFC 4180, but with LF line ends).

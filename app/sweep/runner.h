@@ -25,7 +25,8 @@ public:
     virtual ~CaseMeter() = default;
     /// Describes the process that measures the cases of a sweep: machine, driver, clock.
     virtual RunInfo run() = 0;
-    /// Draws one case of a sweep and measures its error and cost. @throws std::exception: the case has failed
+    /// Draws one case of a sweep and measures its error and cost (texels, draws, triangles). @throws std::exception:
+    /// the case has failed
     virtual DrawnCase facts(const SweepCase& c) = 0;
     /// Measures the times of one case of a sweep after warm-up frames: of `frames` frames, and of the shadows alone by
     /// as many pairs of frames with and without shadows.

@@ -38,7 +38,7 @@ struct SweepTiming {
 };
 
 /// Specification of a sweep: scene, common settings, varied settings (axes) and picture size. Equal specifications give
-/// equal errors and costs.
+/// equal errors and costs (counts of work, not times).
 struct SweepSpec {
     std::string scene;                ///< name or path as given
     std::uint64_t scene_content = 0;  ///< scene_content_key()

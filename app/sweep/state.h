@@ -33,8 +33,8 @@ struct CaseErrors {
     double noise = std::numeric_limits<double>::quiet_NaN();  ///< noise of the reference; NaN: unknown
 };
 
-/// Error, cost and times of one case (combination of settings) of a sweep, as plots and tables show them. Numbers that
-/// are not measured yet are empty.
+/// Error, cost (texels, draws, triangles) and times of one case (combination of settings) of a sweep, as plots and
+/// tables show them. Numbers that are not measured yet are empty.
 struct CaseNumbers {
     std::optional<CaseErrors> error;
     std::optional<WorkCost> cost;
@@ -42,8 +42,8 @@ struct CaseNumbers {
     std::optional<ShadowTime> shadow = {};
 };
 
-/// Error and cost of one case (combination of settings) of a sweep. A repeated measurement gives the same numbers,
-/// unlike times.
+/// Error and cost (texels, draws, triangles) of one case (combination of settings) of a sweep. A repeated measurement
+/// gives the same numbers, unlike times.
 struct CaseErrorAndCost {
     CaseErrors error;
     WorkCost cost;
@@ -51,7 +51,8 @@ struct CaseErrorAndCost {
     int map_resolution = 0;  ///< resolution drawn if the driver or the memory limit made it smaller; else 0
 };
 
-/// Results of one case (combination of settings) of a sweep so far: error, cost, failures and timed frames.
+/// Results of one case (combination of settings) of a sweep so far: error, cost (texels, draws, triangles), failures
+/// and timed frames.
 struct CaseState : CaseErrorAndCost {
     bool finished = false;  ///< error and cost are known
     std::string failed;     ///< why the case failed; empty: it did not
@@ -120,14 +121,14 @@ nlohmann::ordered_json run_line(const RunInfo& run);
 /// Makes the line of a sweep's journal that records that the measurement of a case begins. A case that begins
 /// kMaxBegins times without a result has crashed the program, and counts as failed.
 nlohmann::ordered_json begin_line(std::size_t case_number);
-/// Makes the line of a sweep's journal that records error and cost of a case.
+/// Makes the line of a sweep's journal that records error and cost (texels, draws, triangles) of a case.
 nlohmann::ordered_json facts_line(std::size_t case_number, const CaseErrorAndCost& facts);
 /// Makes the line of a sweep's journal that records that a case has failed. @param why message of the failure
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the line of a sweep's journal that records the times of some frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const RoundTimes& turn);
-/// Makes the line of a sweep's journal that records the times of some frames of base_case(), whose shadow time is the
-/// unit for multiples of costs.
+/// Makes the line of a sweep's journal that records the times of some frames of the base case (hard kernel, 1024
+/// texels). Shadow times of the cases are also given as multiples of its shadow time.
 nlohmann::ordered_json base_turn_line(const RoundTimes& turn);
 
 /// Number of crashes after which a case of a sweep counts as failed.
