@@ -24,7 +24,7 @@ std::span<const ArtefactStyle> artefact_styles();
 
 /// Draws a picture of a frame's shadow errors: the frame in grey, with wrong pixels in the colour of their cause.
 /// @param picture colours of the frame
-/// @param classified class of each pixel of the reference, top row first
+/// @param classified class of each pixel of the ray-traced reference, top row first
 /// @param step pixels of the picture per pixel of the reference (ReferenceOptions::step)
 ByteImage artefact_picture(const ByteImage& picture, const std::vector<ClassifiedPixel>& classified, int step = 1);
 

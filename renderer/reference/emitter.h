@@ -74,12 +74,13 @@ public:
     /// @param emitter the light; must outlive this object
     /// @param pixel index of the surface point's pixel: the seed of scrambling and rotation
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
-    /// Returns the ray from the surface point to sample point `k` on the light.
+    /// Returns the shadow ray to sample point `k` on the light, from the surface point given to the constructor.
     LightRay ray(std::uint32_t k) const;
-    /// Returns the ray from the surface point to one of `count` evenly spaced points on the light's outline.
+    /// Returns the shadow ray to one of `count` evenly spaced points on the light's outline, from the surface point
+    /// given to the constructor.
     /// @param k number of the point, less than `count`
     LightRay outline_ray(std::uint32_t k, std::uint32_t count) const;
-    /// Returns the cell in which sample point `k` lies, of a 2^16 x 2^16 grid on the light.
+    /// Returns the cell in which sample point `k` on the light lies, of a 2^16 x 2^16 grid over the light.
     LightCell cell(std::uint32_t k) const;
     /// Lists the sample point in each cell of a grid of 2^digits cells on the light. Each cell holds exactly one of the
     /// first 2^digits sample points.
@@ -87,7 +88,8 @@ public:
     void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:
-    /// Returns the ray from the surface point to a place on the light's unit disk.
+    /// Returns the shadow ray to a place on the light, from the surface point given to the constructor.
+    /// @param disk the place on the unit disk, which is mapped to the light's area
     LightRay ray_to(const glm::dvec2& disk) const;
 
     const Emitter& emitter_;

@@ -28,8 +28,8 @@ struct FirstCaster {
 };
 
 /// Traces ray segments from a light to the first caster that face culling keeps in the shadow map. The precision is
-/// that of first_caster_distances().
-/// @param traits one per object, see object_traits()
+/// that of 32-bit floats, as in first_caster_distances().
+/// @param traits shadow settings of each object, see object_traits()
 /// @return one per segment; nullopt without a hit
 /// @throws Cancelled
 std::vector<std::optional<FirstCaster>> first_casters(const ReferenceScene& scene,

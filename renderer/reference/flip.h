@@ -12,7 +12,8 @@ namespace si {
 /// Pixels per degree of visual angle, seen at 0.7 m from a monitor that is 0.7 m and 3840 pixels wide (Andersson et al.
 /// 2020, section 4).
 inline constexpr double kFlipPixelsPerDegree = 67.0206;
-/// Range to which flip_difference() clamps its pixels per degree. The width of its filters grows with this number.
+/// Range to which flip_difference() clamps its pixels per degree of visual angle. The width of its filters grows with
+/// this number.
 inline constexpr double kMinPixelsPerDegree = 1, kMaxPixelsPerDegree = 500;
 
 /// Perceived difference of two pictures by the metric FLIP, 0 (none) to 1 (largest): for each pixel, mean and maximum.

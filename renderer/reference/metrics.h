@@ -80,8 +80,8 @@ enum class Better {
     Neither,   ///< neither direction is better
 };
 
-/// Returns the distance of an error metric's value from its best value, so that less is better; NaN for
-/// Better::Neither.
+/// Returns the distance of an error metric's value from the ideal value, which is 0, or 1 for Better::More. Less is
+/// better. NaN for Better::Neither.
 double distance_from_best(Better better, double value);
 
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
@@ -98,8 +98,9 @@ struct Metric {
     Better better = Better::Less;
     std::string_view part_of = {};  ///< key of the metric of which this is a summand
     std::string_view part = {};     ///< label below the metric `part_of`
-    /// Kind of wrong pixels, among those with a cause in `causes`, that a metric counts as a fraction: false shadow,
-    /// false light, or both. Otherwise: the metric is computed in another way.
+    /// Kind of wrong pixels that a metric counts, as a fraction of all counted pixels: false shadow (Dark), false light
+    /// (Bright), or both (Wrong). Only pixels with a cause in `causes` count. Otherwise: the metric is computed in
+    /// another way.
     enum class Counts { Otherwise, Dark, Bright, Wrong };
     Counts counts = Counts::Otherwise;
     std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause; see kAllCauses

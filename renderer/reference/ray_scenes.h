@@ -19,7 +19,7 @@ public:
     /// same hierarchy. @throws Cancelled; Error as ReferenceScene does
     std::shared_ptr<const ReferenceScene> get(const std::shared_ptr<const ReferenceGeometry>& geometry,
                                               const Workers& workers = {});
-    /// Returns the cached hierarchy with this ReferenceGeometry::key, or null. Never builds one.
+    /// Returns the cached ray-tracing hierarchy with this ReferenceGeometry::key, or null. Never builds one.
     std::shared_ptr<const ReferenceScene> find(std::uint64_t key) const;
     /// Returns the geometry (placed triangles) of a scene for ray tracing: that of a cached hierarchy if there is one,
     /// else a new one from the scene's triangles.

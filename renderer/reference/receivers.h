@@ -27,13 +27,15 @@ struct Receiver {
     bool hit() const { return object != kNothing; }
 };
 
-/// Returns the start of shadow rays from a receiver, in the unit frame (UnitFrame). The start is shifted off the
-/// surface by a bound of the single-precision rounding error, so that rays do not hit the receiver's own surface.
+/// Returns the start of shadow rays from a receiver, in the unit frame (UnitFrame: the scene centred and scaled to
+/// about one unit). The start is shifted off the surface by a bound of the single-precision rounding error, so that
+/// rays do not hit the receiver's own surface.
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& receiver);
 
-/// Compact copy of a receiver for tracing, half as large, with all that most shadow rays need.
+/// Compact copy of a receiver (surface point of a pixel) for ray tracing. It is half as large, and has all that most
+/// shadow rays need.
 struct RayStart {
-    glm::vec3 origin{0};  ///< ray_origin()
+    glm::vec3 origin{0};  ///< start of shadow rays: ray_origin()
     glm::vec3 normal{0};
     std::uint32_t object = Receiver::kNothing;
 };
@@ -48,14 +50,15 @@ struct Receivers {
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-/// Pixels of the camera's picture that are sampled: every `step`-th across and down, starting at `first`.
+/// Pixels of the camera's picture that the ray-traced reference samples: every `step`-th across and down, starting at
+/// `first`.
 struct PixelRaster {
     int width = 0, height = 0;  ///< size of the camera's picture, pixels
     int step = 1;
     glm::ivec2 first{0};  ///< top left sampled pixel
-    /// Returns the number of sampled pixels across.
+    /// Returns the number of sampled pixels across the picture.
     int columns() const { return (width + step - 1) / step; }
-    /// Returns the number of sampled pixels down.
+    /// Returns the number of sampled pixels down the picture.
     int rows() const { return (height + step - 1) / step; }
 };
 

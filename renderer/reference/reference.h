@@ -33,7 +33,7 @@ enum class PixelState : std::uint8_t {
     ShadowTerminator,  ///< as FacesAway, but the smooth normal (of the vertices) faces the light: no bias cures it
 };
 inline constexpr std::size_t kPixelStates = 7;
-/// Returns true when the reference traces rays for pixels of a state, counted or not.
+/// Returns true when the reference traces rays for pixels of a state. Comparisons leave out some of these pixels.
 constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
 }
@@ -53,7 +53,7 @@ struct ReferenceOptions {
 /// Returns the reference options that the settings truth.* select.
 ReferenceOptions reference_options(const Settings& settings);
 
-/// Light, shadow settings of objects, and options for tracing a reference.
+/// Input of trace_visibility(): the light, shadow settings of objects, views of the map, and options.
 struct ReferenceQuery {
     Emitter emitter;
     std::vector<ObjectTraits> traits;  ///< one per object of the scene
@@ -104,9 +104,9 @@ struct Reference {
 
     TrackedMemory held = {};  ///< bytes of all images
 
-    /// Returns the visibility of a light without size: 0 or 1.
+    /// Returns the visibility of each pixel under the same light without size: 0 or 1.
     const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }
-    /// Returns the number of counted pixels.
+    /// Returns the number of pixels that comparisons count (PixelState::Counted).
     std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }
     /// Returns true when the reference was traced for an area light.
     bool is_area() const { return !standard_error.data.empty(); }
@@ -127,11 +127,14 @@ std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const R
 /// for a light without size.
 std::string noise_text(const Reference& reference);
 
-/// Callback after each traced tile, called on the tracing threads. @param so_far unfinished reference, in which the
-/// tile's pixels are set @param first the tile's upper left pixel @param end the pixel after the tile's lower right one
+/// Callback after each traced tile (square of pixels) of a reference, called on the tracing threads.
+/// @param so_far unfinished reference, in which the tile's pixels are set
+/// @param first the tile's upper left pixel
+/// @param end the pixel after the tile's lower right one
 using TileDone = std::function<void(const Reference& so_far, glm::ivec2 first, glm::ivec2 end)>;
 
-/// Traces the reference for every receiver. The result does not depend on the number of threads.
+/// Traces the reference: the visible share of one light at every receiver (surface point of a pixel). The result does
+/// not depend on the number of threads.
 /// @param tile_done called after each tile; empty: no callback
 /// @throws Cancelled; Error when `query` and `scene` have different numbers of objects
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,

@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Traced reference as an input of a frame, for comparison with the frame's shadows or as their source.
+/// Ray-traced reference (visibility of one light by pixel) as an input of a frame, for comparison with the frame's
+/// shadows or as their source.
 struct ReferencePicture {
     std::uint64_t key = 0;      ///< reference_key() of the frames that may use it
     std::uint64_t version = 0;  ///< unique per content
@@ -21,7 +22,7 @@ struct ReferencePicture {
     std::optional<ReferenceOptions> options;  ///< replace the settings truth.*; nullopt: truth.* apply
 };
 
-/// Wraps a traced reference as input of frames.
+/// Wraps a ray-traced reference as an input of frames (FrameRequest::reference, FrameRequest::traced).
 /// @param options replace the settings truth.* of the frames; nullopt: truth.* apply
 std::shared_ptr<const ReferencePicture> reference_picture(const ReferenceTask& task, const TracedReference& traced,
                                                           const std::optional<ReferenceOptions>& options = {});

@@ -26,18 +26,18 @@ struct RayHierarchy : UnitFrame {
     embree::Scene scene;
     std::vector<Caster> casters;
     const ReferenceGeometry* geometry = nullptr;
-    double radius = 1;  ///< radius of the scene in the unit frame
+    double radius = 1;  ///< radius of the scene in these coordinates
     std::size_t triangles = 0, instances = 0;
 };
 
 /// Shadow ray at a grazing angle to its receiver, for which single precision is not enough. Its hits are tested again
 /// in double precision, without the receiver's own triangle.
 struct ExactRay {
-    glm::dvec3 origin{0}, direction{0};  ///< in the unit frame; direction of unit length
+    glm::dvec3 origin{0}, direction{0};  ///< in UnitFrame coordinates; direction of unit length
     double length = 0;
     std::uint32_t object = 0, primitive = 0;
 };
-/// Cosine between surface normal and ray below which a ray is traced as an ExactRay.
+/// Cosine between surface normal and ray below which a ray is traced as an ExactRay (hits tested in double precision).
 inline constexpr double kGrazingCosine = 1e-3;
 
 /// Rules that decide which hits of a shadow ray count: face culling by object, and double-precision tests of grazing
@@ -55,7 +55,7 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
 }
 
 /// Tests shadow rays for occlusion by casters. An occluded ray gets a negative `tfar`.
-/// @param rays ray segments from make_ray(), in the scene's unit frame
+/// @param rays ray segments from make_ray(), in the scene's unit frame (UnitFrame: centred, about one unit long)
 /// @param rules decide which hits count
 void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
 

@@ -20,8 +20,8 @@ enum class Instancing {
     Always,     ///< shares every mesh with several objects
 };
 
-/// Ray-tracing hierarchy over the casters of a scene. It uses the scene's UnitFrame, so that single-precision rays keep
-/// their accuracy at any scale and distance from the origin.
+/// Ray-tracing hierarchy over the casters of a scene. Its coordinates are centred on the scene and scaled to about one
+/// unit (UnitFrame). Single-precision rays therefore keep their accuracy at any scale and distance from the origin.
 class ReferenceScene {
 public:
     static constexpr std::size_t kMaxFlattenedTriangles = 4'000'000;
@@ -40,10 +40,11 @@ public:
     std::shared_ptr<const ReferenceGeometry> shared_geometry() const { return geometry_; }
     /// Returns the number of triangles in the ray-tracing hierarchy. Each instance of a mesh counts.
     std::size_t triangle_count() const;
-    /// Returns the number of objects that are instances in the ray-tracing hierarchy.
+    /// Returns the number of objects that are instances in the ray-tracing hierarchy: they share the triangles of their
+    /// mesh.
     std::size_t instance_count() const;
 
-    /// Returns the Embree hierarchy, for sources of this folder.
+    /// Returns the Embree hierarchy. Only sources in renderer/reference call it.
     const RayHierarchy& impl() const { return *impl_; }
 
 private:

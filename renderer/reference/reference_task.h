@@ -69,9 +69,9 @@ public:
     /// Traces the reference of a task, or returns it from the cache.
     /// @throws Cancelled, Error; parts that were complete by then stay in the cache
     TracedReference trace(const ReferenceTask& task, const Workers& workers = {});
-    /// Drops all cached references, receivers and hierarchies.
+    /// Drops all cached references, receivers (surface points of pixels) and ray-tracing hierarchies.
     void clear() { *this = {}; }
-    /// Returns the receivers of the last trace; null: none.
+    /// Returns the receivers (surface points of pixels) of the reference traced last; null: none.
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:

@@ -12,9 +12,9 @@
 namespace si {
 
 /// Widths of the lit or shadowed stretch (run) around each pixel, which tell how narrow a shadow map's texels have to
-/// be. In metres perpendicular to the light's rays, along the two axes of the light's map. Lit and shadowed are as in
-/// the reference of a light without size. Infinite where the reference does not change within kRunReach pixels, or up
-/// to the end of the surface.
+/// be. Widths are in metres perpendicular to the light's rays, along the two axes of the light's map. Lit and shadowed
+/// are as in the reference of a light without size. A width is infinite where the reference does not change within
+/// kRunReach pixels, or up to the end of the surface.
 struct ShadowRuns {
     /// Limit of the texel width for the pixel. A wider texel exceeds the pixel's own run, or reaches from the pixel
     /// across a narrower neighbouring run (such as a thin bar's shadow next to a lit pixel).
@@ -22,8 +22,8 @@ struct ShadowRuns {
     FloatImage edge_m;  ///< distance to the nearest change of the reference along either axis
 };
 
-/// Search distance for the ends of a shadow run, in pixels of the reference on either side. The width of a longer run
-/// counts as infinite.
+/// Search distance for the ends of a run (lit or shadowed stretch of a surface), in pixels of the reference on either
+/// side. The width of a longer run counts as infinite.
 inline constexpr int kRunReach = 64;
 
 /// Measures the widths of lit and shadowed stretches in a reference, from pixel to pixel along the surface that the

@@ -22,7 +22,7 @@ public:
     void add_tile(const Reference& reference, glm::ivec2 first, glm::ivec2 end);
     /// Returns the share of the reference's pixels that were traced at least once, 0 to 1.
     double share() const;
-    /// Returns the number of tiles added so far, which grows with each change of the picture.
+    /// Returns the number of tiles (squares of pixels) added so far, which grows with each change of the picture.
     std::size_t tiles() const { return tiles_; }
     /// Returns a picture of the visibility traced so far, in the sequential colour scale of the overlays, top row
     /// first. Pixels without a surface or not traced yet have alpha 0. Empty before the first tile.

@@ -14,7 +14,7 @@ namespace si {
 /// corners and side centres of a square that extends `reach_texels` to each side along the axes of the light's map.
 /// Where two maps are blended, the coarser map counts. Traces rays for the points, and caches results in
 /// TracedReference::umbra.
-/// @param light the light of the frame; without views only the pixel itself is tested
+/// @param light the light of the frame; without map views only the pixel itself is tested
 /// @param size texels of the light's maps
 /// @param reach_texels distance that the kernel reads from its centre
 /// @param pixels indices into the reference

@@ -11,13 +11,15 @@ namespace si {
 /// maps. Any thread may use it.
 class UmbraCache {
 public:
-    /// State of one pixel: outside or inside the umbra, or not yet known.
+    /// State of one pixel: outside or inside the umbra (full shadow as far as a kernel reads), or not yet known.
     enum class State : std::uint8_t { Unknown, Outside, Inside };
-    /// Returns which pixels are known to lie inside or outside the umbra; Unknown where no ray was traced yet.
+    /// Returns which pixels are known to lie inside or outside the umbra (full shadow as far as a kernel reads);
+    /// Unknown where no ray was traced yet.
     /// @param key hash of the kernel's reach and of the map
     /// @param pixels number of pixels of the reference
     std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
-    /// Stores which pixels lie inside or outside the umbra, for find(). @param key as for find()
+    /// Stores which pixels lie inside or outside the umbra (full shadow as far as a kernel reads), for find().
+    /// @param key as for find()
     void store(std::uint64_t key, std::vector<State> states);
 
 private:
