@@ -80,7 +80,8 @@ struct CauseContext {
     bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
     bool depth_blur = false;         ///< map.blur_texels blurs stored depths
     bool moments = false;            ///< the kernel reads moments (Samples::Moments)
-    /// Returns true when the unfiltered map may differ from the sampled shadow map.
+    /// Returns true when the unfiltered map may differ from the sampled shadow map. The former is drawn without polygon
+    /// offset and depth blur, and with alpha masks at their finest mip level.
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };
 
@@ -109,7 +110,7 @@ bool is_wrong(double visibility, const ReferencePixel& reference);
 /// @param context settings that decide which causes are possible
 Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, const CauseContext& context);
 
-/// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this number.
+/// Tolerance of visibility: a pixel that is fully lit in the reference counts as darkened below 1 minus this number.
 inline constexpr double kRightVisibility = 1e-3;
 
 /// Collects the settings that decide which causes of a light's shadow errors are possible, as input of cause_of().

@@ -69,9 +69,9 @@ struct MapOfLight {
     bool operator==(const MapOfLight&) const = default;
 };
 
-/// Largest value of FrameRequest::smoothed.
+/// Largest value of FrameRequest::smoothed, the number of shadings that are averaged into a smooth picture.
 inline constexpr int kMaxSmoothedShadings = 8;
-/// Name of the pass that makes FrameResult::smooth.
+/// Name of the pass that makes FrameResult::smooth, the mean of several shadings of a static view.
 inline constexpr std::string_view kSmoothingPass = "smoothing of a static view";
 
 /// Request for one frame: size, outputs, and ray-traced data that its lights need. Input of Renderer::render().
@@ -134,8 +134,8 @@ struct PassInfo {
     PassCategory category = PassCategory::Picture;
     int light = -1;                  ///< light index; below 0: all lights, or none
     std::optional<Result> makes;     ///< result that identifies the pass, the first that it writes
-    std::string needs;               ///< Pass::needs
-    std::optional<Optimisation> by;  ///< Pass::by
+    std::string needs;               ///< request or setting that needs the pass: Pass::needs
+    std::optional<Optimisation> by;  ///< optimisation that skips the pass, or that it is a part of
     std::vector<PartInfo> parts;     ///< parts of the pass; empty: it is undivided
     double wall_ms = 0;              ///< elapsed time where gpu_ms is processor time; otherwise 0
 };

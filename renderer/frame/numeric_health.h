@@ -21,7 +21,7 @@ enum class NumberFault {
     NegativeVariance,  ///< negative variance of stored moments, beyond rounding
     Overflow,          ///< exponential beyond its format's range, or flushed to zero
 };
-/// Number of NumberFault values.
+/// Number of kinds of invalid numbers (NumberFault).
 inline constexpr std::size_t kNumberFaults = 5;
 
 /// Returns the JSON name of a kind of invalid number, such as "nan" or "negative_variance".

@@ -21,13 +21,13 @@ struct PageFacts {
     /// Number of texels of unpaged maps with equal texel size. A light with clip levels has one map over the widest
     /// square of read pages, at its finest texel size. Other lights have the whole map of each view in use.
     double fixed_map_texels = 0;
-    /// Returns the number of texels of all pages in use.
+    /// Returns the number of texels of all virtual shadow map pages in use.
     std::uint64_t read_texels() const { return texels(drawn + kept); }
-    /// Returns the number of texels of the pages drawn for this frame.
+    /// Returns the number of texels of the virtual shadow map pages drawn for this frame.
     std::uint64_t drawn_texels() const { return texels(drawn); }
 
 private:
-    /// Returns the number of texels in `pages` pages.
+    /// Returns the number of texels in `pages` pages of a virtual shadow map.
     std::uint64_t texels(int pages) const { return std::uint64_t(pages) * std::uint64_t(page_texels) * page_texels; }
 };
 

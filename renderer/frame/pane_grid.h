@@ -14,9 +14,9 @@ struct PaneGrid {
     int columns = 1, rows = 1;
     int width = 0, height = 0;  ///< size of each pane
     int gap = 0;                ///< between two panes
-    /// Returns the number of panes.
+    /// Returns the number of panes in the split view.
     int count() const { return columns * rows; }
-    /// Returns the upper left pixel of a pane in the whole picture.
+    /// Returns the upper left pixel of a pane of the split view in the whole picture.
     glm::ivec2 corner(int pane) const { return {pane % columns * (width + gap), pane / columns * (height + gap)}; }
     /// Index of a pane of the split view, and a pixel counted within that pane.
     struct Place {

@@ -35,9 +35,9 @@ struct Pass {
 };
 
 /// Decides which passes of a frame are drawn, and returns a report on each with the reason. Walks back from the
-/// `wanted` results: a pass is live when one of its results is wanted or read by a live pass. Other passes are skipped,
-/// and so are passes that the scene does not need (Pass::unneeded). Live passes with an unchanged key are cached. Other
-/// live passes are drawn.
+/// `wanted` results (images or buffers that passes write): a pass is live when one of its results is wanted or read by
+/// a live pass. Other passes are skipped, and so are passes that the scene does not need (Pass::unneeded). Live passes
+/// with an unchanged key are cached. Other live passes are drawn.
 /// @param passes passes in drawing order
 /// @param force true: draws cached passes too
 /// @param draw_unneeded true: draws live passes even where the scene does not need them
@@ -62,13 +62,13 @@ public:
         pass.unneeded = std::move(reason);
         add_pass(std::move(pass));
     }
-    /// Registers an image that holds a result once its pass has run, so that other passes can bind the image. Call once
-    /// for each image of the result, and once for each texture unit.
+    /// Registers an image that holds a pass's result once the pass has run, so that other passes can bind the image.
+    /// Call once for each image of the result, and once for each texture unit.
     void place_result(const ResultRef& result, PlacedImage image);
     /// Registers a function that frees memory no longer needed; run_releases() calls it when the plan is carried out.
     void release_later(std::function<void()> what) { releases_.push_back(std::move(what)); }
 
-    /// Returns the passes in the order of their declaration.
+    /// Returns the frame's passes in the order in which they were added.
     const std::vector<Pass>& passes() const { return passes_; }
     /// Returns the registered images that hold a pass's result; an empty list where no pass of the frame makes the
     /// result.
@@ -76,8 +76,8 @@ public:
     /// Returns one image of a pass's result. The target has no texture where no pass of the frame makes the result.
     /// @param image index among the images of the result
     const gl::Target& target(const ResultRef& result, std::size_t image = 0) const;
-    /// Returns the combined cache key of all passes added so far that write `result`. Passes that only save other
-    /// passes work (Pass::only_saves_work) do not count.
+    /// Returns the combined cache key of all passes added so far that write `result`. Passes that only save work in
+    /// other passes (Pass::only_saves_work) do not count.
     std::uint64_t key_of(const ResultRef& result) const;
     /// Returns true when the images of `result` already hold what the passes added so far would draw, so that those
     /// passes will be cached.

@@ -48,8 +48,8 @@ enum class Result {
 /// Returns a short name of a pass's result for reports, such as "shadow maps".
 std::string_view result_name(Result result);
 
-/// Reference to a result: an image or buffer that one pass writes and others read. `slot` is the index of the pane,
-/// from 0, for a result that each pane has of its own (ShownPane::slot); 0 for other results.
+/// Reference to a result: an image or buffer that one pass writes and others read. `slot` is the index of the pane of
+/// the split view, from 0, for a result that each pane has of its own (ShownPane::slot); 0 for other results.
 struct ResultRef {
     Result what;
     int slot = 0;

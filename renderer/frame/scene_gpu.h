@@ -54,7 +54,7 @@ public:
     /// Sorts the scene's objects into batches (instances of a mesh in one draw call) by material and object settings.
     /// Batches of large meshes come after those of small ones. Cheap when nothing changed.
     void update_batches(const Scene& scene, const Settings& settings);
-    /// Returns the batches of all objects, as lights draw them.
+    /// Returns the batches (instances of a mesh in one draw call) of all objects, as lights draw them.
     const std::vector<Batch>& batches() const { return batches_; }
     /// Binds the scene's vertex positions and the indices of its triangles as storage buffers. Shaders that read the
     /// corners of their own triangle need them (shaders/lib/triangle_corners.glsl).
@@ -62,11 +62,12 @@ public:
     /// Sets the instances that the camera draws, and their order. Used for frustum culling and front-to-back order.
     /// @param instances indices of the instances, in the order of instance_objects()
     void set_camera_instances(std::span<const std::uint32_t> instances);
-    /// Returns the batches that the camera draws, see set_camera_instances().
+    /// Returns the batches (instances of a mesh in one draw call) that the camera draws, see set_camera_instances().
     const std::vector<Batch>& seen_batches() const { return seen_batches_; }
     /// Returns true when some mesh of the scene has vertex colours (define VERTEX_COLOURS).
     bool coloured() const { return bool(colours_); }
-    /// Returns the cache key of the batches: scene, and the settings of textures, casting, culling and receiving.
+    /// Returns the cache key of the batches (instances of a mesh in one draw call): scene, and the settings of
+    /// textures, casting, culling and receiving.
     const Key& key() const { return arrangement_; }
 
     /// User of the instance transforms; each has an origin of its own. Seen: the camera, with seen_batches() and
@@ -78,9 +79,9 @@ public:
     void bind_vertices(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn);
     /// Draws all instances of one batch of the scene in one draw call. Call bind_vertices() before.
     void draw_batch(const Batch& batch) const;
-    /// Returns the index in Scene::objects of each instance, in batch order.
+    /// Returns the index in Scene::objects of each instance, in the order of batches().
     const std::vector<std::uint32_t>& instance_objects() const { return order_; }
-    /// Returns the batch number of each instance.
+    /// Returns for each instance the index of its batch in batches().
     const std::vector<std::uint32_t>& instance_batches() const { return batch_of_; }
     /// Attaches the instance transforms of the last bind_vertices() to another vertex array, such as that of shadow
     /// volumes. Matrix rows are attributes 4 to 6.
@@ -108,7 +109,8 @@ private:
         GLsizei index_count = 0;
         GLint base_vertex = 0;
         std::vector<std::uint32_t> copies;  ///< repeated vertices after the mesh's own: see face_normals.h
-        /// Returns the index of the mesh vertex that vertex `i` of the range copies; `i` itself if less than `own`.
+        /// Returns the index of the mesh vertex that vertex `i` of the mesh's range repeats; `i` itself if less than
+        /// `own`.
         /// @param own number of vertices of the mesh
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };

@@ -30,10 +30,10 @@ namespace si {
 
 /// Largest number of panes in the split view.
 inline constexpr int kMaxPanes = 4;
-/// Number of images that hold the visible surfaces.
+/// Number of images that hold position and normals of the visible surfaces.
 inline constexpr int kVisibleSurfaceImages = 5;  ///< see lib/seen_surface.glsl
 
-/// Measured depth range of the surfaces that a camera sees, for fits that narrow maps to it (light.depth_bounds sdsm).
+/// Measured depth range of the surfaces that a camera sees. Maps are narrowed to it under light.depth_bounds sdsm.
 struct VisibleDepths {
     std::uint64_t key = 0;          ///< FrameState::surfaces_key() at the measurement
     std::optional<DepthSpan> span;  ///< metres; nullopt: no surface is visible
@@ -149,9 +149,9 @@ struct FrameState {
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; valid once the map passes are planned
     bool camera_depth_renewed = false;  ///< camera depth was redrawn in this frame, for FrameRequest::force
 
-    /// Returns true when shaders read the blocks' numbers from buffer images in place of uniform blocks.
+    /// Returns true when shaders read settings and frame data from buffer images in place of uniform blocks.
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
-    /// Returns an image of a result. The target has no texture where no pass of the frame makes the result.
+    /// Returns an image of a pass's result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
     /// Registers a texture array in the plan as the shadow maps that look-ups compare with (Result::ShadowMaps). The
     /// array gets the texture unit for reading depths and, unless depths are stored as colour, the comparison sampler's
@@ -184,14 +184,16 @@ struct FrameState {
     /// @param from key to extend
     /// @param pass kind of pass
     Key with_settings(Key from, ReadBy pass) const { return with_settings(std::move(from), pass, settings); }
-    /// Returns `from` extended by the settings that a kind of pass reads itself (Param::read_by), taken from `values`
-    /// instead of the frame's settings.
+    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads itself
+    /// (Param::read_by). They are taken from `values` instead of the frame's settings.
+    /// @param from key to extend
+    /// @param pass kind of pass
     static Key with_settings(Key from, ReadBy pass, const Settings& values);
     /// Returns the cache key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const { return surfaces_key().add(lights_key); }
-    /// Returns lighting_key() for a pass that evaluates view.light alone.
+    /// Returns the cache key of visible surfaces, lights and look-ups for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
-    /// Returns the result that is the picture below overlays and quads.
+    /// Returns the result (image of a pass) that is the picture below overlays and texel quads.
     Result base_picture_result() const { return studio ? Result::Creases : Result::Shaded; }
     /// Returns true when a pane's overlay is multiplied by the picture, so that the overlay is dark where the picture
     /// is dark (view.overlay_blend).
@@ -215,13 +217,14 @@ struct FrameState {
     /// SceneGpu::bind_triangles() first.
     /// @param fragment fragment shader file
     bool reads_corners(std::string_view fragment) const;
-    /// Draws the opaque and masked batches that the camera sees, with their textures, into the bound framebuffer.
+    /// Draws the opaque and masked batches (instances of a mesh in one draw call) that the camera sees, with their
+    /// textures, into the bound framebuffer.
     /// @param fragment fragment shader file
     /// @param extra more defines, as for program()
     /// @param[out] info draw and triangle counts
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
-    /// Returns the shader program that draws one batch, with the defines for the batch's material; compiled on first
-    /// use.
+    /// Returns the shader program that draws one batch (instances of a mesh in one draw call), with the defines for the
+    /// batch's material; compiled on first use.
     /// @param extra more defines, as for program()
     /// @param alpha_only true: leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
@@ -232,10 +235,11 @@ struct FrameState {
     /// Sets the uniform `caster_shift` of a program in use, if the program has it: for each map view, how far an engine
     /// moved casters away from the light before drawing them.
     void set_caster_shifts(GLuint program) const;
-    /// Draws one batch of the scene and counts it. Call SceneGpu::bind_vertices() before.
+    /// Draws one batch of the scene (instances of a mesh in one draw call) and counts it. Call
+    /// SceneGpu::bind_vertices() before.
     /// @param[out] info draw and triangle counts
     void draw_batch(const Batch& batch, PassInfo& info) const;
-    /// Binds the textures that the fragment shader samples for a batch: base colour and normal map.
+    /// Binds the textures that the fragment shader samples for a batch of instances: base colour and normal map.
     void bind_textures(const Batch& batch) const;
     /// Binds a framebuffer of the picture's size, and sets viewport, depth test, clip control and blending for drawing
     /// from the camera. CameraDrawing does this for the picture's own passes.

@@ -11,13 +11,13 @@ namespace si {
 class CameraDrawing {
 public:
     /// Resizes the images to the picture's size where needed, without keeping their contents, and binds them for
-    /// drawing.
+    /// drawing visible surfaces.
     /// @param label name in error messages and frame debuggers
     CameraDrawing(FrameState& f, std::string_view label, GLenum format, std::span<gl::Target> images);
-    /// Resizes one image to the picture's size where needed, and binds it for drawing.
+    /// Resizes one image to the picture's size where needed, and binds it for drawing visible surfaces.
     CameraDrawing(FrameState& f, std::string_view label, GLenum format, gl::Target& image)
         : CameraDrawing(f, label, format, std::span(&image, 1)) {}
-    /// Binds one layer of an image that already has the picture's size.
+    /// Binds one layer of an image that already has the picture's size, for drawing visible surfaces.
     CameraDrawing(FrameState& f, std::string_view label, const gl::Target& image, int layer);
     /// Binds no image, for drawing the camera's depth alone.
     explicit CameraDrawing(FrameState& f) : CameraDrawing(f, "camera depth", GL_NONE, {}) {}

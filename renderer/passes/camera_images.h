@@ -11,7 +11,7 @@
 namespace si {
 
 /// Draws the camera's depth and reads back the nearest and farthest visible depth, metres. Returns nullopt when no
-/// surface is visible. Used before a frame is planned, for fits that narrow maps to visible depths (light.depth_bounds
+/// surface is visible. Used before a frame is planned, where maps are narrowed to visible depths (light.depth_bounds
 /// sdsm).
 /// @param[out] info report on the drawing
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);

@@ -11,7 +11,8 @@ namespace si {
 
 struct CasterRaster;
 
-/// Choice of the casters to draw into a shadow map, by needed map cells and by instance.
+/// Choice of the casters to draw into a shadow map: by the cells of the map (64 x 64, MapCells) that look-ups read, and
+/// by instance.
 struct CasterChoice {
     const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
     const std::vector<bool>* only = nullptr;  ///< by index in SceneGpu::instance_objects(): true draws it; null: all
@@ -67,7 +68,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
 /// Counts of casters that were skipped, or drawn with less work, while a shadow map was drawn.
 struct SkippedCasters {
     std::uint64_t outside_map = 0;       ///< instances entirely outside the map
-    std::uint64_t unread = 0;            ///< instances that cover no needed cell
+    std::uint64_t unread = 0;            ///< instances that cover no map cell that look-ups read
     std::uint64_t front_faces_only = 0;  ///< instances drawn by front faces alone
     std::uint64_t without_shader = 0;    ///< instances drawn without a fragment shader
 };

@@ -11,7 +11,8 @@ namespace si {
 class FlipPass : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns the mean difference (FLIP, 0 to 1) over all pixels in the last run; 0 before the first run.
+    /// Returns the mean difference (FLIP, 0 to 1) between the picture and that with the reference's shadows in the last
+    /// run; 0 before the first run.
     double mean() const { return mean_; }
 
 private:

@@ -13,7 +13,8 @@ namespace si {
 
 class PagePasses;
 
-/// State of the cached map of one light's static casters: the casters, and the cache keys of the map's contents.
+/// State of the cached map of one light's static casters, which stand still while others move: the casters, and the
+/// cache keys of the map's contents.
 struct StaticMapState {
     StaticCasters casters;
     std::uint64_t geometry = 0;  ///< cache key of the geometry drawn last
@@ -26,7 +27,7 @@ struct DrawnMaps {
     gl::Target static_casters;                     ///< maps of static casters alone; empty where nothing moves
     gl::Target depth;                              ///< depth buffer for one view of a colour map
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light: key of its layers' contents
-    /// Map cells drawn so far, by light and view. No look-up has needed the other cells yet.
+    /// Cells of the maps (MapCells) drawn so far, by light and view. No look-up has needed the other cells yet.
     std::array<std::vector<MapCells>, kMaxLights> drawn_cells;
     std::array<StaticMapState, kMaxLights> static_states;
 };

@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Returns the images that a pass reads when it evaluates the filter kernel: the shadow maps, and moments or depth
-/// bounds. Used to fill in Pass::reads.
+/// Returns the images that a pass reads when it evaluates the filter kernel: the shadow maps, and moments (averaged
+/// functions of depth) or depth bounds. Used to fill in Pass::reads.
 std::vector<ResultRef> kernel_inputs(const FrameState& f);
 
 /// Pass that computes moments of the shadow maps: functions of depth, averaged around each texel. Filter kernels with

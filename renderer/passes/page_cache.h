@@ -19,7 +19,8 @@ struct PageGrid {
     glm::i64vec2 corner{0};
 };
 
-/// Entry of the page table of virtual shadow maps, which shaders read: place of a page in the pool (shared/pages.h).
+/// Entry of the page table of virtual shadow maps, which shaders read: place of a page in the pool, the texture of all
+/// kept pages (shared/pages.h).
 struct PageEntry {
     glm::u16vec2 at{0};        ///< place in the pool, in pages
     glm::u8vec2 part{0};       ///< position within a coarser page, in pages of this level
@@ -28,7 +29,8 @@ struct PageEntry {
 };
 static_assert(sizeof(PageEntry) == 8);
 
-/// Page of a virtual shadow map with its place in the pool and the cache key of its contents.
+/// Page of a virtual shadow map with its place in the pool (texture of all kept pages) and the cache key of its
+/// contents.
 struct PlacedPage {
     int layer = 0;
     glm::ivec2 page{0};  ///< position in the layer's grid
@@ -46,13 +48,13 @@ struct PageChoice {
     std::vector<std::size_t> drawn;  ///< indices in `read` of the pages to draw
     int wanted = 0, coarser = 0, evicted = 0;
     std::vector<int> wanted_by_layer;
-    /// Returns the index of a page in the table.
+    /// Returns the index of a virtual shadow map page in the page table.
     /// @param page column and row in the layer's grid
     std::size_t index(int layer, glm::ivec2 page) const {
         return (std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
                std::size_t(page.x);
     }
-    /// Returns the table entry of a page.
+    /// Returns the page table's entry of a virtual shadow map page.
     const PageEntry& entry(int layer, glm::ivec2 page) const { return table[index(layer, page)]; }
 };
 
@@ -70,12 +72,12 @@ public:
     /// @param key_of returns the hash of everything that a page's contents depend on; pages with equal keys are shared
     PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
                             int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
-    /// Returns the number of pages along one side of the pool. choose_pages() may enlarge the pool, which drops all
-    /// pages.
+    /// Returns the number of pages along one side of the pool of virtual shadow map pages. choose_pages() may enlarge
+    /// the pool, which drops all pages.
     int side() const { return side_; }
-    /// Returns the number of pages that the pool holds now.
+    /// Returns the number of virtual shadow map pages that the pool holds now.
     int held() const { return int(by_key_.size()); }
-    /// Returns the capacity of the pool in pages.
+    /// Returns the capacity of the pool of virtual shadow map pages, in pages.
     int room() const { return int(slots_.size()); }
     /// Drops all pages from the cache of virtual shadow map pages.
     void clear();

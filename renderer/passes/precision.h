@@ -15,7 +15,7 @@ struct Precision;
 class PrecisionPass : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns the rounding errors that the last run measured; null before the first run.
+    /// Returns the rounding errors of map look-ups that the last run measured; null before the first run.
     const std::shared_ptr<const Precision>& found() const { return found_; }
 
 private:

@@ -42,7 +42,7 @@ public:
     /// Returns the reason why a light's volumes are not drawn. Empty: they are drawn, or the light has another source.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
     /// Returns the pass that counts the shadow volumes of a light in the stencil buffer, and draws the light's
-    /// visibility into a layer of lit().
+    /// visibility into a layer of the visibility image (lit()).
     /// @param light light index
     Pass make_pass(FrameState& f, std::size_t light);
     /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.

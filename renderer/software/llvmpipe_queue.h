@@ -14,13 +14,15 @@ void limit_pending_draws();
 /// @param on false: ends the throttling
 void set_background_drawing(bool on = true);
 
-/// Waits until the previous picture of a background thread is drawn; does nothing on other threads. Call after each
-/// pass. llvmpipe keeps the pictures of all contexts in one queue of four pictures. A full queue blocks every thread.
+/// Waits until all that the calling thread drew before its previous call of this function is finished. Acts only on
+/// threads that set_background_drawing() marked. Call after each pass, so that other threads need not wait long.
+/// llvmpipe (Mesa's CPU rasteriser) keeps the pictures of all contexts in one queue of four, and a full queue blocks
+/// every thread.
 void throttle_background_drawing();
 
-/// Makes llvmpipe release images that finished pictures retain (see limit_pending_draws()), by drawing tiny pictures
-/// until every slot of its queue is used again. Takes some ten milliseconds: call while idle. Other drivers need no
-/// such call.
+/// Makes llvmpipe (Mesa's CPU rasteriser) release images that finished pictures retain (see limit_pending_draws()), by
+/// drawing tiny pictures until every slot of its queue is used again. Takes some ten milliseconds: call while idle.
+/// Other drivers need no such call.
 /// @return false when the machine was so busy that some slots may not have been reached
 bool release_finished_images();
 
