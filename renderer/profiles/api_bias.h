@@ -19,12 +19,12 @@ struct ApiNames {
 std::array<EngineParameter, 5> api_parameters(const ApiNames& names);
 
 /// Converts the bias parameters of a graphics API (polygon offset, and numbers of an application's own shader) to the
-/// bias terms that all engines share.
+/// bias terms that all engines share (constant, normal offset and polygon offset).
 BiasNumbers read_api_bias(const ApiNames& names, const EngineProfile& profile, const EngineValues& values,
                           const MapFacts& facts);
-/// Converts a bias in the terms that all engines share to the bias parameters of a graphics API. A constant becomes
-/// polygon offset units for formats with equal depth steps; otherwise it becomes a number for the application's own
-/// shader.
+/// Converts a bias in the terms that all engines share (constant, normal offset and polygon offset) to the bias
+/// parameters of a graphics API. A constant becomes polygon offset units for formats with equal depth steps; otherwise
+/// it becomes a number for the application's own shader.
 /// @param to receives the numbers
 void write_api_bias(const ApiNames& names, const BiasNumbers& bias, const MapFacts& facts, EngineOutput& to);
 

@@ -29,20 +29,21 @@ struct BiasNumbers {
     MapFormat format = MapFormat::D32F;
     bool reversed_z = false;
 
-    /// Returns the depth bias in texels that acts like the constant and the normal offset together (equivalent depth
-    /// bias).
+    /// Returns the equivalent depth bias of the constant and the normal offset together, in texels: the depth bias that
+    /// acts against acne as much as they do.
     double receiver_texels(const MapFacts& facts) const;
-    /// Returns the depth bias in texels that acts like the polygon offset (equivalent depth bias).
+    /// Returns the equivalent depth bias of the polygon offset in texels: the depth bias that acts against acne as much
+    /// as the offset does.
     double raster_texels(const MapFacts& facts) const;
-    /// Returns the depth bias in texels that acts like constant, normal offset and polygon offset together (equivalent
-    /// depth bias).
+    /// Returns the equivalent depth bias of constant, normal offset and polygon offset together, in texels: the depth
+    /// bias that acts against acne as much as they do.
     double total_texels(const MapFacts& facts) const;
 };
 
 /// Converts this program's bias settings to terms that all engines share: constant, normal offset and polygon offset. A
-/// slope bias, or a bias computed from the receiver's plane, becomes a constant: its amount at the reference angle. A
-/// normal offset whose length depends on the light's angle becomes one of constant length, equal at the reference
-/// angle.
+/// slope bias, or a bias computed from the receiver's plane, becomes a constant: its amount at the reference angle
+/// between surface normal and light (MapFacts::angle_deg). A normal offset whose length depends on the light's angle
+/// becomes one of constant length, equal at the reference angle.
 /// @throws Error when the bias is not finite at the reference angle
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
@@ -72,12 +73,13 @@ double raster_unit_depth(MapFormat format);
 /// Collector of engine parameter values to which this program's bias is converted.
 class EngineOutput {
 public:
-    /// Creates a collector that adds values of the profile's parameters to `to`.
+    /// Creates a collector that adds values of an engine's parameters (those in `profile`) to `to`.
     EngineOutput(const EngineProfile& profile, WrittenValues& to, const MapFacts& facts)
         : profile_(profile), to_(to), facts_(facts) {}
     /// Adds the value of an engine parameter, clamped to the range that the engine accepts. Adds a note when clamping
     /// changes the value.
-    /// @param texels equivalent depth bias of the value @param literal see ConvertedParameter::literal
+    /// @param texels equivalent depth bias of the value
+    /// @param literal number that converts this part of the bias alone (ConvertedParameter::literal)
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
     /// Adds the value of an engine's normal offset parameter, which moves the look-up by its whole length at any angle.
@@ -88,7 +90,7 @@ public:
     /// Records in the result that a setting has no counterpart in the engine. Ignores a value of 0, which needs no
     /// counterpart.
     void miss(std::string_view key, double value, std::string reason);
-    /// Adds a remark on the conversion, for display.
+    /// Adds a remark, for display, on the conversion to an engine's parameters.
     void note(std::string text);
 
 private:
@@ -97,7 +99,7 @@ private:
     const MapFacts& facts_;
 };
 
-// Rows of the bias table that engines have.
+// Keys of rows of the bias table, for EngineProfile::bias_rows.
 inline constexpr std::string_view kConstantAndNormal[] = {"constant", "normal-offset"};
 inline constexpr std::string_view kRasterAndNormal[] = {"raster", "normal-offset"};
 

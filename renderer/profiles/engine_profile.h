@@ -151,7 +151,8 @@ struct EngineProfile {
     double hidden_depth = 0;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.
     double (*hidden_texels)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
-    /// Converts the engine's bias parameters to terms that all engines share.
+    /// Converts the engine's bias parameters to terms that all engines share: constant, normal offset and polygon
+    /// offset.
     BiasNumbers (*read_bias)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
     /// Converts a bias to the engine's parameters, and adds them to the EngineOutput. EngineValues has the other
     /// parameters.

@@ -36,8 +36,9 @@ bool engine_name_matches(const SettingRef& ref, std::string_view text);
 /// @param only the only engine to list; null: all
 std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name = {},
                                          const EngineProfile* only = nullptr);
-/// Returns the depth bias in texels that acts like all bias parameters of an engine at the reference angle (equivalent
-/// depth bias). The bias that the engine adds by itself is included.
+/// Returns the equivalent depth bias of all bias parameters of an engine, in texels: the depth bias that acts against
+/// acne as much as they do, at the reference angle (MapFacts::angle_deg). The bias that the engine adds by itself is
+/// included.
 /// @throws Error as read_engine_values(); also for a profile without conversions
 double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts);
 

@@ -71,9 +71,10 @@ std::span<const Bias> biases();
 /// compared depth (BiasStage::Compare), which come first in the table.
 std::span<const Choice> bias_choices();
 
-/// Returns the bias row that the setting bias.kind chooses.
+/// Returns the row of the bias table that the setting bias.kind chooses.
 const Bias& bias_of(const Settings& settings);
-/// Returns the only row of the bias table with this stage: LookUp for the normal offset, Raster for the polygon offset.
+/// Returns the only row of the bias table whose bias changes this step of the shadow test: LookUp for the normal
+/// offset, Raster for the polygon offset.
 /// @param stage LookUp or Raster; for Compare, which has several rows, bias_of() returns the chosen one
 const Bias& bias_of_stage(BiasStage stage);
 /// Returns true when a bias reads the setting `key`. Either its row lists the key, or no row does, because the setting

@@ -21,10 +21,12 @@ struct FitRow {
 /// Returns the table of fits, the rules that choose the region of a shadow map, in the order of the enumeration
 /// LightFit.
 std::span<const FitRow> fits();
-/// Returns the table row of a fit. For a number outside the enumeration it returns the row of LightFit::Scene.
+/// Returns the table row of a fit, the rule that chooses the region of a shadow map. For a number outside the
+/// enumeration it returns the row of LightFit::Scene.
 const FitRow& fit_row(LightFit fit);
 
-/// Returns true when light.near and light.far give the depth range of the light's maps, instead of the fit.
+/// Returns true when light.near and light.far give the depth range of the light's maps, instead of the fit (light.fit,
+/// the rule that chooses a map's region).
 constexpr bool uses_manual_near_far(const LightSettings& light) {
     return light.near_far == NearFar::Manual || (light.near_far == NearFar::Fitted && light.fit == LightFit::Manual);
 }
@@ -35,8 +37,8 @@ bool uses_camera_slices(const LightSettings& settings);
 
 /// Returns true when the maps of light number `light` are fitted again whenever the camera moves.
 bool fit_reads_camera(const Settings& settings, int light);
-/// Returns true when the fit of light number `light` uses depths measured in the camera's depth buffer (sample
-/// distribution shadow maps).
+/// Returns true when the fit of light number `light` (the rule that chooses the region of its maps) uses depths
+/// measured in the camera's depth buffer (sample distribution shadow maps).
 bool fit_reads_measured_depths(const Settings& settings, int light);
 
 }  // namespace si

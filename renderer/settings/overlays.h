@@ -48,15 +48,16 @@ std::span<const Overlay> overlays();
 /// Returns the choices of the setting view.overlay: "none", then one for each row of the overlay table.
 std::span<const Choice> overlay_choices();
 
-/// Returns the setting that chooses the overlay of one pane, for reading and writing. Its value is 0 for no overlay,
-/// else the overlay's row in overlays() plus 1.
+/// Returns the setting that chooses the overlay of one pane (picture of the split view), for reading and writing. Its
+/// value is 0 for no overlay, else the overlay's row in overlays() plus 1.
 /// @param pane index of the pane, 0 to 3
 int& overlay_of_pane(ViewSettings& view, std::size_t pane);
-/// Returns the chosen overlay of each visible pane, one entry a pane: 0 for no overlay, else the overlay's row in
-/// overlays() plus 1.
+/// Returns the chosen overlay of each visible pane (picture of the split view), one entry a pane: 0 for no overlay,
+/// else the overlay's row in overlays() plus 1.
 std::vector<int> pane_overlays(const ViewSettings& view);
 
-/// Returns true when the overlay of any visible pane has the property `what`, for example &Overlay::reads_reference.
+/// Returns true when the overlay of any visible pane (picture of the split view) has the property `what`, for example
+/// &Overlay::reads_reference.
 bool any_pane_shows(const ViewSettings& view, bool Overlay::*what);
 
 }  // namespace si

@@ -16,8 +16,8 @@ std::string_view paging_idle_reason(const Settings& settings, int light);
 /// read are drawn.
 bool draws_pages(const Settings& settings);
 
-/// Returns true when light number `light` has clip levels instead of the map of its fit. Clip levels are virtual maps
-/// around the camera, each with larger texels than the one before.
+/// Returns true when light number `light` has clip levels instead of the maps whose region light.fit chooses. Clip
+/// levels are virtual maps around the camera, each with larger texels than the one before.
 bool has_clip_levels(const Settings& settings, int light);
 
 /// Returns the side of a page of a virtual map in texels: map.page_size rounded down to a power of two, at most an

@@ -31,12 +31,12 @@ public:
         static_assert(std::is_same_v<std::underlying_type_t<E>, int>, "an index that is no choice must survive");
     }
 
-    /// Returns the index of the member's present choice.
+    /// Returns the index of the referenced setting's present choice.
     int index() const { return read_(member_); }
-    /// Sets the member to the choice with this index, unchecked: an index without a choice is stored too. sanitise()
-    /// repairs it.
+    /// Sets the referenced setting to the choice with this index, unchecked: an index without a choice is stored too.
+    /// sanitise() repairs it.
     void set_index(int index) const { write_(member_, index); }
-    /// Returns the address of the member.
+    /// Returns the address of the settings member that this object refers to.
     void* address() const { return member_; }
 
 private:
@@ -90,7 +90,7 @@ enum class ReadBy : unsigned {
     Pages = 1 << 11,        ///< pass that caches pages of virtual maps
     Shading = 1 << 12,      ///< passes that shade the picture
 };
-/// Joins two sets of passes.
+/// Joins two sets of render passes that read a setting.
 constexpr ReadBy operator|(ReadBy a, ReadBy b) {
     return ReadBy(unsigned(a) | unsigned(b));
 }

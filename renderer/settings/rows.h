@@ -45,7 +45,7 @@ namespace rows {
         return (condition) ? std::string_view(reason) : std::string_view();                      \
     }
 
-/// Returns the rows of several lists as one list.
+/// Returns the settings rows of several lists as one list.
 template <std::size_t... N>
 std::vector<Param> joined(const std::array<Param, N>&... lists) {
     std::vector<Param> all;
@@ -53,14 +53,14 @@ std::vector<Param> joined(const std::array<Param, N>&... lists) {
     return all;
 }
 
-/// Returns rows with their scope set to `scope`.
+/// Returns rows of the settings table with their scope (scene, light or object) set to `scope`.
 template <std::size_t N>
 constexpr std::array<Param, N> with_scope(std::array<Param, N> list, Scope scope) {
     for (Param& p : list) p.scope = scope;
     return list;
 }
 
-/// Returns rows marked as settings that only shadow maps read (Param::map_only).
+/// Returns rows of the settings table, marked as settings that only shadow maps read (Param::map_only).
 template <std::size_t N>
 constexpr std::array<Param, N> only_of_maps(std::array<Param, N> list) {
     for (Param& p : list) p.map_only = true;

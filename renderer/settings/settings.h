@@ -42,7 +42,7 @@ enum class MapFormat { D16, D24, D32F, Colour, Linear, Linear16 };
 enum class MapWrap { Border, Clamp, Repeat, Range };
 /// Lighting of surfaces outside the map (map.outside).
 enum class Outside { Lit, Unlit };
-/// Comparison of own and stored depth (map.compare).
+/// Comparison of the receiver's depth with the depth stored in the map (map.compare).
 enum class Compare { Less, LessEqual };
 /// Shadow of alpha-blended materials (caster.blend).
 enum class BlendCasters { None, Mask };
@@ -101,13 +101,13 @@ enum class MapOrigin { Near, World };
 /// Source of the shadow maps of a bundle, one frame of an engine as files (map.bundle_maps): images of the bundle, or
 /// maps drawn with the bundle's views.
 enum class BundleMaps { Given, Drawn };
-/// Source of the bias with which an engine reads its maps (map.bundle_bias).
+/// Source of the bias with which an engine reads the maps of its bundle, one frame as files (map.bundle_bias).
 enum class BundleBiasSource { File, Entered, Unknown };
 /// Direction in which the scene is moved (scene.direction).
 enum class PlacedAlong { Aslant, X, Y, Z };
 /// Axis of a file that points up (scene.up); File: the axis that the file names, else y.
 enum class UpAxis { File, X, Y, Z, MinusX, MinusY, MinusZ };
-/// Texels drawn as quads in the scene (view.slabs).
+/// Depths at which texels of the shadow map are drawn as quads in the scene (view.slabs).
 enum class Slabs { None, Stored, Biased, Both };
 
 /// Settings of the camera: camera.*. Lengths in metres, angles in degrees.

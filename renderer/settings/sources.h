@@ -42,7 +42,8 @@ std::span<const Source> sources();
 /// Returns the technique that makes the shadows of light number `light` (light.source), even if the light casts no
 /// shadow.
 const Source& source_of(const Settings& settings, int light);
-/// Returns true when any light that casts shadows has a source with the need `what`, for example &SourceNeeds::map.
+/// Returns true when the source (technique of shadows) of any light that casts shadows needs `what`, for example
+/// &SourceNeeds::map.
 bool any_source_needs(const Settings& settings, bool SourceNeeds::*what);
 /// Returns true when there are lights, but none gets its shadows from a shadow map (light.source). Settings of shadow
 /// maps then have no effect.

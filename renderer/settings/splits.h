@@ -22,8 +22,8 @@ struct SplitRow {
 /// enumeration Split.
 std::span<const SplitRow> splits();
 
-/// Returns the manual far ends of all cascades but the last (light.split_1 to light.split_7), as shares of the divided
-/// depth.
+/// Returns the manual far ends of all cascades but the last (light.split_1 to light.split_7), as shares of the camera
+/// depth that the cascades divide.
 std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light);
 
 /// Keeps the manual cascade splits of a light in order after an edit of one of them. Splits before it are lowered to

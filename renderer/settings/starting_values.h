@@ -20,12 +20,13 @@ std::span<const StartingValue> starting_values(const Settings& before, const Set
 /// @param held keys of settings that keep their values, since they are set explicitly along with bias.kind
 void set_starting_values(const Settings& before, Settings& after, const std::set<std::string>& held = {});
 
-/// Returns the keys of all settings that may change along with the setting `ref`: those with a starting value under any
-/// bias.kind. Empty for settings other than bias.kind.
+/// Returns the keys of all settings that may change along with the setting `ref`: those with a starting value (one that
+/// a choice of bias.kind brings along). Empty for settings other than bias.kind.
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
 /// Returns the settings that a command line must name with --set to turn the settings `a` into `b`. First come those
-/// that differ. Then follow those that a change of bias.kind would otherwise reset to its starting values.
+/// that differ. Then follow those that a change of bias.kind would otherwise reset to its starting values (values that
+/// the new kind brings along).
 std::vector<SettingRef> settings_to_set(const Settings& a, const Settings& b);
 
 }  // namespace si
