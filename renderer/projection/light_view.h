@@ -32,9 +32,9 @@ struct CasterShift {
     bool operator==(const CasterShift&) const = default;
 };
 
-/// View and projection of one shadow map: a directional or spot map, a cube face, a cascade or a clip level. The matrix
-/// decides what the map covers. set_half_extents() makes a projection centred on the axis; view_of_matrix() accepts
-/// any.
+/// View and projection of one shadow map: a directional or spot map, a cube face, a cascade, or a clip level (virtual
+/// map). The matrix decides what the map covers. set_half_extents() makes a projection centred on the axis;
+/// view_of_matrix() accepts any.
 struct LightView {
     glm::dvec3 eye{0};     ///< world
     glm::dmat3 axes{1.0};  ///< columns right, up, back (the view looks along -back)
@@ -57,8 +57,9 @@ struct LightView {
     /// Returns a world-space position in the light view's clip space. Equals the last column of
     /// clip_from_relative(point_ws).
     glm::dvec4 clip_position(const glm::dvec3& point_ws) const;
-    /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
-    /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.
+    /// Returns true for a view with parallel rays whose texels are not squares of one size, or whose depth range
+    /// differs from row to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width
+    /// and height.
     bool warped() const { return curve.warp.has_value(); }
     /// Returns true for an unwarped light view whose shadow map texels are wider than high, or higher than wide.
     /// @param size texels of the map

@@ -23,8 +23,8 @@ void clip_polygon(Polygon& polygon, const HalfSpace& plane);
 /// Andrew, Another efficient algorithm for convex hulls in two dimensions, IPL 9(5), 1979.
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points);
 
-/// Returns the area of a simple (not self-intersecting) polygon in a plane, in the square of its unit. A clockwise
-/// polygon has a negative area.
+/// Returns the area of a simple (not self-intersecting) polygon in a plane, in the square of the coordinates' unit. A
+/// clockwise polygon has a negative area.
 double polygon_area(std::span<const glm::dvec2> polygon);
 
 /// Returns the planes of the sides of a box (any convex body with eight corners), facing inwards. Sides without area
@@ -51,8 +51,8 @@ struct ConvexBody {
 };
 
 /// Returns points whose convex hull is the intersection of a box with several convex bodies; none if the intersection
-/// is empty. Used to clip boxes to frusta. Bodies may be flat. For flat bodies in one plane only the clipped sides are
-/// found.
+/// is empty. Used to clip boxes to frusta. For a flat box, the points are the corners of its sides after clipping by
+/// the bodies.
 std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies);
 
 }  // namespace si

@@ -44,9 +44,9 @@ struct SceneShape {
 /// Returns true when no corner of a box is NaN or infinite.
 bool is_finite(const Box& box);
 
-/// Computes the bounding boxes of all objects of a scene, as fits of shadow maps need them. Boxes cover the whole
-/// animation after measure_animation_bounds(). Above 20,000 objects one box stands for the scene. Reads meshes to find
-/// flat ones. The result is finite, also for empty scenes.
+/// Computes the bounding boxes of all objects of a scene, for fitting shadow maps to the scene. Boxes cover the whole
+/// animation after measure_animation_bounds(). Above 20,000 objects one box stands for the whole scene. Reads meshes to
+/// find flat ones. The result is finite, also for empty scenes.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
 /// Returns a copy of a scene's boxes in which the ground under a model is reduced to the part that casters can shadow
@@ -60,8 +60,8 @@ using ViewExtent = Bounds;
 
 /// Returns the bounding box of world-space points in the axes of a light's view, metres.
 ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
-/// Returns the bounding box of all objects of a scene in the axes of a light's view, metres. A ground under a model
-/// counts along the light's axis only.
+/// Returns the bounding box of all objects of a scene in the axes of a light's view, metres. A generated ground under a
+/// model counts along the light's axis only.
 ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 
 /// Returns the corners of the part of a perspective light view between two distances from its eye, in metres.
@@ -73,12 +73,12 @@ Box view_pyramid(const LightView& view, double near, double far, double widening
 /// inside, in the axes of the view, metres.
 ViewExtent extent_inside_view(const Box& box, const LightView& view);
 /// Clips the box of one object of a scene to the four sides of a light view with parallel rays. Returns the bounding
-/// box of the part inside, in the axes of the view, metres. For a ground, only its shadowed part counts.
+/// box of the part inside, in the axes of the view, metres. Of the ground under a model, only the shadowed part counts.
 /// @param box index into SceneShape::boxes
 ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view);
 
 /// Returns points whose convex hull is the part of one object's box inside all of the half-spaces; none if no part is
-/// inside. For a ground, only its shadowed part counts.
+/// inside. Of the ground under a model, only the shadowed part counts.
 /// @param box index into SceneShape::boxes
 /// @param planes the half-spaces, such as the sides of a light's view
 std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
@@ -89,17 +89,18 @@ std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_
 /// @param[in,out] model extent of the model
 /// @param ground extent of the shadows on the ground
 void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
-/// Least widening across the view as a share of the model's width; smaller differences are rounding.
+/// Least amount by which widen_for_ground_shadow() widens a model's extent across the light's view, as a share of the
+/// extent's larger side; smaller differences are rounding.
 constexpr double kMinGroundWidening = 1e-6;
 
-/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid of a perspective light
-/// view; infinite if they do not meet. Used to place the near plane.
+/// Returns the smallest distance along the light's axis, in metres, at which a box can meet the pyramid of a
+/// perspective light view. Infinite if they do not meet. Used to place the near plane.
 /// @param e extent of the box in the axes of the view
-/// @param sides LightView::cross_section()
+/// @param sides sides of the pyramid, from LightView::cross_section()
 double pyramid_entry_m(const ViewExtent& e, const CrossSection& sides);
 
 /// Counts the casters of a scene that have a part in front of the near plane of any of the light's views, where the map
-/// cannot store them. Tests boxes, so the count is an upper bound.
+/// cannot store them. Tests the casters' bounding boxes, so the count is an upper bound.
 int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views);
 
 }  // namespace si

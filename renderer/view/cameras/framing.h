@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// Returns the axes of a camera that orbits a target, as columns right, up, back. `right` depends on the azimuth alone,
-/// so views straight up and down are no special case.
+/// Returns the axes of a camera that orbits a target, as columns right, up, back. Before the roll, `right` depends on
+/// the azimuth alone, so views straight up and down are no special case.
 /// @param azimuth_deg,elevation_deg,roll_deg degrees
 glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg);
 
@@ -20,8 +20,8 @@ void frame_bounds(Camera& c, const Bounds& bounds);
 /// while the setting scene.ground is automatic.
 bool should_frame_shadow(const Scene& scene, const Settings& settings);
 
-/// Places a camera so that a model and its shadow fill the picture. Raises the camera until enough of the shadow is
-/// visible.
+/// Places a camera so that a model and its shadow fill the picture. Raises the camera in steps until the shadow covers
+/// a fixed share of the picture, up to a largest elevation.
 /// @param c camera with field of view and aspect set; axes, eye, focus and height are overwritten
 void frame_with_shadow(Camera& c, const Scene& scene);
 

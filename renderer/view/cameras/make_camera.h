@@ -11,10 +11,10 @@
 
 namespace si {
 
-/// Makes the picture's camera from the settings: from manual values, through the light of view.light, or automatically.
-/// A camera through a light has the near and far planes of the light's view; the map fills the shorter side of the
-/// picture. The automatic camera is the scene's own, or frames the bounds. It also replaces a camera through a light
-/// without a map.
+/// Makes the picture's camera from the settings: from manual values, through the light that view.light selects, or
+/// automatically. A camera through a light has the near and far planes of the light's view; its shadow map fills the
+/// shorter side of the picture. The automatic camera is the scene's own, or frames the scene's bounds. It also replaces
+/// a camera through a light without a shadow map.
 /// @param aspect width / height of the picture
 /// @param fitted_without_camera lights fitted by fit_maps() without a camera; empty: fitted here if needed
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,

@@ -31,7 +31,7 @@ public:
     /// it counts
     std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
     /// Returns world-space points whose convex hull is the part of one object's box inside this slice of the view
-    /// frustum; none if the box is outside. For a ground, only its shadowed part counts.
+    /// frustum; none if the box is outside. Of the ground under a model, only the shadowed part counts.
     /// @param box index into SceneShape::boxes
     std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
     /// Returns points whose convex hull is the part of a world-space box inside this slice of the view frustum; none if
@@ -59,7 +59,7 @@ private:
 
 /// Returns the range of camera depths, in metres, that the visible parts of boxes take up; empty if none is visible.
 /// @param boxes world space
-/// @param wanted flags, as long as `boxes`; only boxes with true count
+/// @param wanted one flag per box; only boxes with true count
 std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<Box>& boxes,
                                         const std::vector<bool>& wanted);
 

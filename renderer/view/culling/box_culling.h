@@ -28,7 +28,7 @@ struct SkewBox {
 /// that might cover a texel is never reported as outside.
 class BoxCuller {
 public:
-    /// Makes the test from a view's matrix.
+    /// Makes the frustum test of boxes from the matrix of a view (of the camera or a light).
     /// @param clip_from_relative clip space from positions relative to `origin` (world)
     /// @param clamps_near true: casters before the near plane are drawn on it (pancaking), so near and far planes do
     /// not cull

@@ -31,7 +31,7 @@ std::optional<Bounds2> projected_rect(const SkewBox& box, const glm::dmat4& uvd_
 class MapCells {
 public:
     static constexpr int kCells = 64;  ///< cells along a side
-    /// Makes an empty set of map cells.
+    /// Makes an empty set of shadow map cells.
     MapCells() = default;
     /// Returns the set of all cells of a shadow map.
     static MapCells whole();
@@ -53,11 +53,11 @@ public:
     void add_border_cells();
     /// Adds all cells of another set of shadow map cells to this set.
     void add(const MapCells& other);
-    /// Returns a few rectangles of texels that together cover the marked cells of a shadow map, for copies and
-    /// scissored draws. Rectangles overlap only in texels that two cells share.
+    /// Returns a few rectangles of texels that together cover this set of shadow map cells, for copies and scissored
+    /// draws. Rectangles overlap only in texels that two cells share.
     /// @param size texels of the map
     std::vector<TexelRect> texel_rects(MapSize size) const;
-    /// Adds the set of map cells to a cache key.
+    /// Adds this set of shadow map cells to a cache key.
     void add_to(Key& key) const { key.bytes(rows_.data(), sizeof rows_); }
     bool operator==(const MapCells&) const = default;
 

@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Reason printed for a light that is off or black.
+/// Reason that reports give for a light without effect: it is off or black.
 inline constexpr const char* kLightAddsNothing =
     "the light adds nothing: it is off, or its colour or its intensity is 0";
 
@@ -31,7 +31,7 @@ struct VisibleBody {
     Cluster cluster;               ///< cluster of triangles, valid where `side` is known
     VisibleSide side = VisibleSide::Either;  ///< side of the triangles that faces the camera
     std::size_t object = 0;                  ///< index into Scene::objects
-    /// Returns world-space points whose hull contains the visible part of the body.
+    /// Returns world-space points whose convex hull contains the visible part of this object or cluster.
     std::span<const glm::dvec3> points() const {
         return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
     }
@@ -50,12 +50,13 @@ struct VisibleBodies {
 /// Finds the objects, or clusters of their triangles, inside a camera's view frustum. From them needed_maps() finds the
 /// parts of shadow maps to draw.
 /// @param lines height of the picture in pixels
-/// @param clusters function that returns build_clusters() of a mesh; an empty result: the mesh is one cluster
+/// @param clusters function that returns the clusters (groups of near triangles) of a mesh, as build_clusters(); an
+/// empty result: the mesh is one cluster
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
                                   const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
-/// Extent of a picture's look-ups in a shadow map: kernel reach, normal offset, and treatment of look-ups outside the
-/// map (MapWrap). From it needed_maps() finds the map cells to draw.
+/// Extent of a picture's look-ups in a shadow map: reach of the filter kernel, normal offset, and treatment of look-ups
+/// outside the map (MapWrap). From it needed_maps() finds the parts of the map to draw (cells of a grid, MapCells).
 struct LookupArea {
     int resolution = 1;       ///< texels along the map's shorter side
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
@@ -67,15 +68,15 @@ struct LookupArea {
     bool only_lit_points = false;      ///< visibility matters only where the light arrives
 };
 
-/// Parts of one light's shadow maps that look-ups read: a set of map cells (MapCells) for each cascade or cube face.
+/// Parts of one light's shadow maps that look-ups read: for each cascade or cube face, a set of grid cells (MapCells).
 /// Other cells need not be drawn.
 struct NeededMaps {
     std::vector<MapCells> views;  ///< needed cells by view of the light
     std::string unneeded_reason;  ///< reason why no cell is needed; empty: some cells are needed
 };
 
-/// Finds the cells of a casting light's shadow maps that look-ups at visible surfaces may read. Casters that cover none
-/// of the needed cells of a map need not be drawn into that map.
+/// Finds the parts of a light's shadow maps (cells of a grid, MapCells) that look-ups at visible surfaces may read.
+/// Casters that cover none of the needed cells of a map need not be drawn into that map.
 /// @param seen surfaces that the camera may see
 /// @param area extent of a look-up around a surface's place in the map
 NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area);

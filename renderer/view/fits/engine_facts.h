@@ -6,13 +6,13 @@
 
 namespace si {
 
-/// Returns the size, depth range and format of one shadow map of a light, for converting bias values from and to other
-/// engines (engine_profile.h). Width and texels are those of the longer side. In perspective the width is that in the
-/// middle of the depth range.
+/// Returns width (metres), texels, depth range (metres) and format of one shadow map of a light. Used to convert bias
+/// values from and to other engines (engine_profile.h). Width and texels are those of the longer side. In perspective
+/// the width is that in the middle of the depth range.
 /// @param size texels of the map
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size);
-/// Returns the size, depth range and format of the first shadow map of a light, for converting bias values from and to
-/// other engines (engine_profile.h). Without a map, width and depth are the defaults of MapFacts.
+/// Returns width (metres), texels, depth range (metres) and format of a light's first shadow map. Used to convert bias
+/// values from and to other engines (engine_profile.h). Without a map, width and depth are the defaults of MapFacts.
 /// @param light null: there is no light
 /// @param size texels of the light's maps
 MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size);

@@ -14,17 +14,17 @@
 
 namespace si {
 
-/// Limits of half a map's opening angle, radians; tan() stays below 15.
+/// Limits of half the opening angle of a perspective shadow map, radians; its tan() stays below 15.
 inline constexpr double kMinHalfAngle = 1e-3;
 inline constexpr double kMaxHalfAngle = 1.5;
-/// Margin at each side of a map in texels, so that a kernel at the scene's edge finds cleared texels.
+/// Margin at each side of a shadow map in texels, so that a filter kernel at the scene's edge finds cleared texels.
 inline constexpr double kMarginTexels = 2;
-/// Smallest ratio near / far of a perspective map. A D24 map then resolves about far / 17,000 at the far plane.
+/// Smallest ratio near / far of a perspective shadow map. A D24 map then resolves about far / 17,000 at the far plane.
 inline constexpr double kMinNearShare = 1e-3;
-/// Smallest camera depth that a fit uses, as a share of the farthest visible depth. A camera inside the scene sees
-/// surfaces at 0 m.
+/// Smallest camera depth that the fit of a shadow map uses, as a share of the farthest visible depth. A camera inside
+/// the scene sees surfaces at 0 m.
 inline constexpr double kMinSeenDepthShare = 1e-3;
-/// Margin at each end of the depth range, as a share of the range.
+/// Margin at each end of a shadow map's depth range, as a share of the range.
 inline constexpr double kDepthMargin = 1e-4;
 
 /// Input for fitting the shadow maps of one light: scene, settings, resolution and camera.
@@ -77,8 +77,8 @@ void fit_faces(FittedLight& light, const FitContext& c);
 /// Fits the single shadow map of a directional light or a spot light, and adds its view to the light.
 void fit_one_view(FittedLight& light, const FitContext& c);
 
-/// Adds a warped view (LiSPSM) to a light, whose texels near the camera are smaller than far ones. The map contains all
-/// given receiver points.
+/// Adds a warped shadow map view (LiSPSM) to a light. The map's texels are smaller near the camera than far from it.
+/// The map contains all given receiver points.
 /// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
 /// @param view view with its axes set; the third one points to the light
 /// @param points receiver points, world; at least one

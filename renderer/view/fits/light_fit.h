@@ -25,13 +25,14 @@ bool is_always_lit(const FittedLight& light, const Settings& settings);
 PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
 /// Returns the margin in texels that a fit adds around the region that a shadow map has to cover. It is the sum of
-/// kernel reach, depth blur, normal offset (clamped to 3 to 32 texels) and two texels. The margin grows in steps of
-/// 1/64 of the map. Most kernels and resolutions therefore share a region, and one traced reference serves all of them.
+/// kernel reach, depth blur (map.blur_texels), normal offset (clamped to 3 to 32 texels) and two texels. The margin
+/// grows in steps of 1/64 of the map. Most kernels and resolutions therefore share a region, and one traced reference
+/// serves all of them.
 /// @param resolution texels along a side of the map
 double fit_margin_texels(const Settings& settings, int resolution);
 
-/// Computes the shadow map views of every placed light: what each map covers, by the fit in the settings. A pure
-/// function.
+/// Computes the shadow map views of every placed light: what each map covers, by the rule that the setting light.fit
+/// names. A pure function.
 /// @param scene the scene in which the lights were placed
 /// @param camera camera of the picture; null: fits that depend on a camera cover the whole scene
 /// @param max_resolution the GL limit on texture size

@@ -29,7 +29,7 @@ double ground_kernel_depth_m(const LightView& view, const FitContext& c, double 
 void set_perspective_range(LightView& view, const FitContext& c);
 
 /// Returns the largest distance in texels between the place of a surface in a shadow map and a texel that its look-up
-/// reads: kernel reach, normal offset, depth blur, and half a texel at each end.
+/// reads. It consists of kernel reach, normal offset, depth blur (map.blur_texels), and half a texel at each end.
 double lookup_reach_texels(const Settings& settings);
 
 }  // namespace si

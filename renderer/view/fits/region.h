@@ -37,15 +37,16 @@ struct FitInput {
 /// Rectangle across a light's view: metres, or tangents in perspective. Empty by default.
 using MapRegion = Bounds2;
 
-/// Function that finds the region of the light's view that a map has to cover. It guarantees that no surface that
-/// the light reaches lies in shadow outside the region; fits by the camera guarantee it for surfaces that the camera
-/// sees. An empty result gives no guarantee: the map then covers the whole scene.
+/// Function that finds the region of a light's view that its shadow map has to cover. It guarantees that no surface
+/// that the light reaches lies in shadow outside the region; fits by the camera guarantee it for surfaces that the
+/// camera sees. An empty result gives no guarantee: the map then covers the whole scene.
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
 /// Returns a region of a light's view that contains every place where a caster shadows a receiver facing the light;
-/// empty without any shadow. Shadow maps need not cover more. Tests boxes. Flat casters and large convex casters are
-/// also clipped by their planes and outlines, since they cannot shadow their own lit side. Back-facing triangles of
-/// single-sided receivers are skipped.
+/// empty without any shadow. Shadow maps need not cover more. Intersects the bounding boxes of casters with the box
+/// around all receivers. Flat casters and large convex casters cannot shadow their own lit side. For them, triangles of
+/// receivers are clipped to the space behind the caster, and back-facing triangles of single-sided receivers are
+/// skipped.
 /// @param seen a slice of the camera's frustum; only the parts of receivers inside it count
 std::optional<MapRegion> shadowed_region(const FitInput& in, const CameraSlice* seen = nullptr);
 

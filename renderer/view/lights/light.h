@@ -87,8 +87,8 @@ struct FittedLight : PlacedLight {
     bool is_stretched(MapSize texels) const {
         return std::ranges::any_of(views, [&](const LightView& v) { return v.stretched(texels); });
     }
-    /// Returns true when shaders derive the sizes of texels from the matrix: for parallel rays where texels are not
-    /// squares of one size.
+    /// Returns true when shaders derive the sizes of texels from the shadow map's matrix: for parallel rays where
+    /// texels are not squares of one size.
     /// @param texels size of the light's maps
     bool derives_texels(MapSize texels) const { return is_warped() || (!is_perspective() && is_stretched(texels)); }
     /// Returns true when each view of the light covers a part of the camera's frustum: cascades or clip levels.

@@ -74,13 +74,14 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
                        VolumeTriangles& out);
 
 /// Returns how many pixels of a picture one triangle covers. Used to predict the cost of shadow volumes.
-/// @param clip clip coordinates of its corners; z is ignored, w may have any sign
+/// @param clip clip coordinates of the triangle's corners; z is ignored, w may have any sign
 /// @param width,height size of the picture in pixels
 double covered_pixels(const std::array<glm::dvec4, 3>& clip, int width, int height);
 
 /// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to
 /// predict the cost of shadow volumes.
-/// @param corner function that returns clip coordinates of an index in VolumeTriangles
+/// @param list corner indices, three per triangle, as in VolumeTriangles
+/// @param corner function that returns the clip coordinates of the corner with an index
 /// @param samples largest number of triangles that are evaluated
 template <typename Corner>
 double covered_pixels(const std::vector<std::uint32_t>& list, Corner&& corner, int width, int height,
