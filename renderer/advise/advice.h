@@ -16,17 +16,17 @@ struct AdviceRule {
     std::string_view key, label;
     std::string_view help;  ///< a sentence on the condition
     Claim claim = Claim::Same;
-    /// Change of the settings that a rule proposes.
+    /// Change of the settings that an advice rule proposes.
     using Change = std::function<void(Settings&)>;
     /// Callback through which an advice rule proposes setting changes, each with a sentence that gives the reason.
     struct Offer {
         std::function<void(std::string sentence, const Change& change, int light)> receive;
-        /// Offers a change. @param light index of light.*; negative: the light of the facts
+        /// Offers a setting change. @param light index of light.*; negative: AdviceFacts::light
         void operator()(std::string sentence, const Change& change, int light = -1) const {
             receive(std::move(sentence), change, light);
         }
     };
-    /// Checks the rule's condition and offers its setting changes.
+    /// Checks the condition of the advice rule and offers its setting changes.
     void (*propose)(const Settings& settings, const AdviceFacts& facts, const Offer& offer) = nullptr;
     bool reads_map = true;  ///< true: proposes nothing for a light that draws no map, or that no pixel faces
 };
@@ -38,16 +38,16 @@ std::span<const AdviceRule> advice_rules();
 /// (Claim). Draws nothing: try_advice() measures the candidates.
 std::vector<Candidate> advice_candidates(const Settings& settings, const AdviceFacts& facts);
 
-/// Draws, times and ranks candidates, by means of `meter`. The order is: lower error, less time at equal error, less
-/// time for more error, less memory, rejected changes. Candidates with equal settings are drawn once. Differences
-/// within noise do not count.
+/// Draws, times and ranks candidates (setting changes that advice rules propose), by means of `meter`. The order is:
+/// lower error, less time at equal error, less time for more error, less memory, rejected changes. Candidates with
+/// equal settings are drawn once. Differences within noise do not count.
 /// @param shown receives the ranked trials so far, after each trial
 /// @returns the trials so far when the report throws Cancelled after the first trial
 std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> candidates, const TrialMeter& meter,
                               const TrialReport& report = {},
                               const std::function<void(const std::vector<Trial>&)>& shown = {});
 
-/// Severity of a finding, the worst first.
+/// Severity of a finding (a problem found in a frame), the worst first.
 enum class Severity { Error, Warning, Hint };
 /// Returns the name of a severity in JSON and text: "error", "warning" or "hint".
 std::string_view severity_key(Severity severity);

@@ -75,7 +75,8 @@ using AutopilotShow = std::function<void(const AutopilotResult&)>;
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const TrialMeter& meter, const TrialReport& report = {}, const AutopilotShow& show = {});
 
-/// Runs the autopilot with a renderer. Without axes, chooses them by autopilot_axes().
+/// Runs the autopilot, the search for the best combination of settings, with a renderer. Without axes (settings to
+/// vary), chooses them by autopilot_axes().
 /// @throws Cancelled; Error when there is no light to compare
 AutopilotResult run_rendered_autopilot(const SearchTools& tools, const Settings& settings, const AutopilotGoals& goals,
                                        std::vector<SweepAxis> axes = {}, const AutopilotShow& show = {});

@@ -26,8 +26,8 @@ struct BiasNeeds {
 };
 
 /// Counts the pixels of a measured frame that lack bias, and measures lit gaps at casters and shifts of shadow edges.
-/// Considers only pixels that are counted, lit in the reference and covered by the shadow map, since other pixels
-/// cannot show acne. Gaps and shifts come from an even sample of these pixels.
+/// Considers only pixels that the error metrics count and that are lit in the reference and covered by the shadow map,
+/// since other pixels cannot show acne. Gaps and shifts come from an even sample of these pixels.
 /// @param settings settings of the measured frame
 /// @param driver traits of the rasteriser, on which polygon offset depends
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
@@ -44,14 +44,14 @@ double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
 /// Computes the surface point of one pixel of a measured frame as the measured light sees it: its place in the map and
-/// its depth. Costs a fraction of MeasuredBias::breakdown().
+/// its depth. Takes a fraction of the time of MeasuredBias::breakdown().
 LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& receiver);
 
 /// Calculator of the depth bias at pixels of a measured frame. Keeps references to the constructor's arguments, which
 /// must outlive it.
 class MeasuredBias {
 public:
-    /// Keeps references to all arguments.
+    /// Makes the calculator. Keeps references to all arguments.
     /// @param settings settings with the bias to examine, which may differ from the bias of the frame
     MeasuredBias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
     /// Computes the depth bias under the settings at the surface point of one pixel, with the share of each setting.

@@ -15,7 +15,8 @@
 
 namespace si {
 
-/// Largest share of counted pixels with acne at which a frame counts as free of acne.
+/// Largest share of pixels with acne, among those that the error metrics count, at which a frame counts as free of
+/// acne.
 inline constexpr double kMaxAcneShare = 1e-4;
 
 /// Trial of one bias: error, pixels that lack bias (BiasNeeds), and score of the frame that was drawn with it.
@@ -33,12 +34,13 @@ struct BiasTrial {
     bool has_no_acne() const { return double(acne()) <= kMaxAcneShare * double(error.counted); }
 };
 
-/// Error score of a frame, by which biases are compared; less is better. It is the sum of |V - R| over counted pixels,
-/// plus 1 for each wrong pixel. V is the visibility in the picture, R that in the reference. The sum leaves out
-/// differences within three standard errors of the reference, and pixels within the kernel's reach of a shadow edge.
+/// Error score of a frame, by which biases are compared; less is better. It is the sum of |V - R| over the pixels that
+/// the error metrics count, plus 1 for each wrong pixel. V is the visibility in the picture, R that in the reference.
+/// The sum leaves out differences within three standard errors of the reference, and pixels within the kernel's reach
+/// of a shadow edge.
 class BiasScore {
 public:
-    /// Finds the pixels near shadow edges, which the sum leaves out.
+    /// Finds the pixels near shadow edges, whose |V - R| the score leaves out.
     /// @param measured, settings a frame with the scored kernel, map and reference
     BiasScore(const MeasuredError& measured, const Settings& settings);
     /// Returns the error score of a frame that was drawn with another bias; less is better.
@@ -87,11 +89,11 @@ struct FoundBias {
     std::vector<TriedBias> tried;     ///< all trials, in the order of the search
     std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
     bool stopped = false;             ///< true: stopped before all rows were tried
-    /// Returns the bias with the least score whose gap is within max_gap_m; null: none. A bias with more wrong pixels
-    /// than the present bias wins only if all have more. Scores closer than a hundredth tie. Then the smaller mean
-    /// error decides, then the smaller gap at casters.
+    /// Returns the bias with the least error score whose lit gap at casters is within max_gap_m; null: none. A bias
+    /// with more wrong pixels than the present bias wins only if all have more. Scores closer than a hundredth tie.
+    /// Then the smaller mean error decides, then the smaller gap at casters.
     const TriedBias* best() const { return least_score(nullptr, false); }
-    /// Returns the bias with the least score among those without acne, by the rules of best(); null: none.
+    /// Returns the bias with the least error score among those without acne, by the rules of best(); null: none.
     const TriedBias* best_without_acne() const { return least_score(nullptr, true); }
     /// Returns the trial with the least error score for each kind of bias (row of the bias table), in the order of the
     /// search. Kinds without an allowed trial are left out.
@@ -114,19 +116,19 @@ private:
 
 /// Function that draws a frame under a bias and measures it.
 using BiasMeter = std::function<BiasTrial(const BiasSettings&)>;
-/// Receives the results so far, after each row of the bias table.
+/// Receives the results so far of a search for the least bias, after each kind of bias (row of the bias table).
 using FoundBiasShown = std::function<void(const FoundBias&)>;
 
-/// Searches the least bias among rows of the bias table. For each row it tries powers of two as strengths, then
-/// strengths between the best of these. Draws by means of `meter`. Stops with the results so far when the meter or the
-/// report throws Cancelled after the first trial.
+/// Searches the least bias among rows of the bias table. For each row it tries powers of two as strengths (multiples of
+/// the bias by theory), then strengths between the best of these. Draws by means of `meter`. Stops with the results so
+/// far when the meter or the report throws Cancelled after the first trial.
 /// @param max_gap_m largest gap at casters, 95th percentile, metres; none: any
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
                             std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});
 
-/// Searches the least bias of the light view.light with a renderer. With SearchTools::engine, tries only rows of the
-/// bias table that the engine has, and includes the bias that the engine always adds.
+/// Searches the least bias of the light that view.light selects, with a renderer. With SearchTools::engine, tries only
+/// rows of the bias table that the engine has, and includes the bias that the engine always adds.
 /// @throws Cancelled before the first result; Error when the light draws no map
 FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
                           const FoundBiasShown& shown = {});

@@ -59,7 +59,7 @@ std::string time_text(const std::optional<CostChange>& ms);
 /// @param bytes bytes that are added; negative: saved
 std::string map_bytes_text(long long bytes);
 
-/// Measured error and work of one frame under given settings.
+/// Measured error and work (WorkCost: texels, bytes, draw calls) of one frame under given settings.
 struct MeasuredSettings {
     double error = 0;  ///< distance_from_best() of the metric
     double noise = 0;  ///< noise of the reference's pixels; NaN: unknown
@@ -121,8 +121,9 @@ struct AlternatingTimes {
 };
 /// Times two kinds of frames in alternating rounds, so that drift of the machine's speed affects both alike. Ends when
 /// the difference is known precisely enough, after a second or after 8 rounds.
-/// @param before, with functions that draw a round of frames of one kind, whose programs are compiled, and return the
-/// milliseconds of one frame
+/// @param before function that draws a round of frames of the first kind, whose shader programs are compiled, and
+/// returns the milliseconds of one frame
+/// @param with as `before`, for the second kind
 /// @param limit_ms ends also once the difference is surely below or above this limit
 /// @throws Cancelled
 AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
@@ -160,8 +161,8 @@ struct PixelTrial {
 /// @param pixel index of the pixel, top row first
 PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel);
 
-/// Result of trying a setting change: error, cost and numbers of cured and broken pixels, compared with the present
-/// settings.
+/// Result of trying a setting change, beside the present settings: error, work, frame time, and numbers of cured (now
+/// right) and broken (now wrong) pixels.
 struct Trial {
     Candidate candidate;
     SettingChanges changes;
@@ -197,8 +198,8 @@ struct Trial {
     long long gain() const { return (long long)cured - (long long)broken; }
 };
 
-/// Calls `attempt` for each candidate in turn, after a report of the candidate's name. Returns false when the report or
-/// `attempt` throws Cancelled.
+/// Calls `attempt` for each candidate (setting change to try) in turn, after a report of the candidate's name. Returns
+/// false when the report or `attempt` throws Cancelled.
 /// @tparam C Candidate, or a type derived from it
 /// @param attempt receives a candidate, which it may move; returns false when no further candidate is needed
 template <class C>
@@ -223,8 +224,8 @@ std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* en
 /// Largest rise of the error that counts as no rise: as a share of the error before the change, and absolute.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 
-/// Draws a candidate and compares it with the present settings. A candidate that cannot be compared, such as one that
-/// moves the camera, gets a reason in Candidate::untried.
+/// Draws a frame with a candidate (setting change to try) and compares it with the present settings. A candidate that
+/// cannot be compared, such as one that moves the camera, gets a reason in Candidate::untried.
 /// @param base present settings @param before measurement under `base`, with its frame
 /// @param pixel index of a pixel to watch, top row first
 /// @param needs_causes decides whether Trial::metrics need causes; empty: they do

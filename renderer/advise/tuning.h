@@ -30,8 +30,8 @@ struct Tuned {
     std::string summary;                    ///< the settings and their cost in a sentence, or why there are none
 };
 
-/// Searches the least bias of the light view.light. If error or time is limited, then searches the best kernel and map
-/// resolution under this bias.
+/// Searches the least bias of the light that view.light selects. If error or time is limited, then searches the best
+/// kernel and map resolution under this bias.
 /// @param shown receives the biases so far
 /// @throws Cancelled before the first result; Error when the light draws no map
 Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& goals,

@@ -27,7 +27,7 @@ struct EffectFacts {
 
 using Effects = std::vector<Effect>;
 
-/// Converts the state of a pass to the state of an effect.
+/// Converts the state of a render pass to the state of an effect (a piece of rendering work).
 constexpr EffectState state_of(PassState state) {
     return state == PassState::Drawn    ? EffectState::Drawn
            : state == PassState::Cached ? EffectState::Cached

@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Lists all effects of a drawn frame in the order of its passes, each pass before its parts. Every pass belongs to at
-/// least one effect.
+/// Lists all effects (pieces of rendering work) of a drawn frame in the order of its passes, each pass before its
+/// parts. Every pass belongs to at least one effect.
 /// @param settings settings of the frame, sanitised or not
 /// @param forced the optimisations that are switched off, FrameRequest::forced of the frame
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,

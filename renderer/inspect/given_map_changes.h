@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Reason why a change of settings is not tried on an imported map.
+/// Reason why a change of settings is not tried on an imported shadow map (an engine's image).
 inline constexpr std::string_view kNeedsAnotherMap = "needs another map from the engine";
 
 /// Returns true when a setting acts only while a shadow map is fitted or drawn: resolution, format, fit, culling,

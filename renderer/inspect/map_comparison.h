@@ -23,8 +23,8 @@ struct DepthDifferences {
     double signed_median = 0;  ///< median of the signed differences
 };
 
-/// Class of one texel in the comparison of an imported shadow map with the drawn one: which of the two maps holds a
-/// caster in the texel.
+/// Class of one texel in the comparison of an imported shadow map with this program's own map: which of the two holds a
+/// caster there.
 enum class TexelMatch : std::uint8_t {
     Empty,   ///< neither map holds a caster
     Both,    ///< both maps hold a caster
@@ -41,11 +41,13 @@ struct MapGateLimits {
     double most_steps = 4;       ///< largest 99th percentile of depth differences, steps of the map's format
 };
 
-/// Limits of the gate for a map whose casters the engine's shader moves. They are wider, as the shader rounds the moved
-/// positions to single precision in a space that no bundle states.
+/// Limits of the gate (the test whether an imported map is reproduced) for a map whose casters the engine's shader
+/// moves. They are wider, as the shader rounds the moved positions to single precision in a space that no bundle
+/// states.
 inline constexpr MapGateLimits kMovedCasterLimits{.median_steps = 4, .most_steps = 16};
 
-/// Result of the gate, which tests whether an imported shadow map and the drawn one agree within MapGateLimits.
+/// Result of the gate, which tests whether an imported shadow map and the map that this program draws agree within
+/// MapGateLimits.
 struct MapGate {
     bool missed = false, extra = false, median = false, most = false;  ///< true: within the limit of MapGateLimits
     bool passed() const { return missed && extra && median && most; }
@@ -60,8 +62,9 @@ struct TexelBox {
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options for the comparison of an imported shadow map with the drawn one. When the engine's shader moves casters,
-/// compare_imported_maps() itself sets the permitted depth difference (`room_m`) and the limits of the gate (`limits`).
+/// Options for the comparison of an imported shadow map with the map that this program draws. When the engine's shader
+/// moves casters, compare_imported_maps() itself sets the permitted depth difference (`room_m`) and the limits of the
+/// gate (`limits`).
 struct MapCompareOptions {
     /// Width of a border around the texels that the imported map covers. An extra texel in the border does not count. 1
     /// for maps of moments, which are blurred.
@@ -73,8 +76,8 @@ struct MapCompareOptions {
     MapGateLimits limits;  ///< limits within which both maps count as alike
 };
 
-/// Comparison of one imported shadow map with the map drawn from the same view: counts of texels, depth differences,
-/// and the result of the gate (MapGateLimits).
+/// Comparison of one imported shadow map with this program's own map of the same view: counts of texels, depth
+/// differences, and the result of the gate (MapGateLimits).
 struct MapComparison {
     int light = 0, view = 0;
     std::string name;  ///< name of the view, such as "cascade 2 of 4"; empty for a light's only view
@@ -107,8 +110,8 @@ struct MapComparison {
     double extra_share() const { return covered > 0 ? double(extra) / double(covered) : extra > 0 ? 1 : 0; }
 };
 
-/// Compares the depths of an imported map with those of a drawn map of the same view and size. A texel holds a caster
-/// where its depth is not that of the far plane.
+/// Compares the depths of an imported shadow map with those of this program's own map of the same view and size. A
+/// texel holds a caster where its depth is not that of the far plane.
 /// @param imported,drawn depths in [0, 1], top row first
 /// @param format depth format, whose steps are the unit of MapComparison::steps
 /// @param masked true for texels to leave out, by texel; empty: none
@@ -116,7 +119,8 @@ struct MapComparison {
 MapComparison compare_maps(const FloatImage& imported, const FloatImage& drawn, const LightView& view, MapFormat format,
                            const std::vector<bool>& masked = {}, const MapCompareOptions& options = {});
 
-/// Object of the scene that casts into the drawn shadow map but is missing, wholly or in part, from an imported map.
+/// Object of the scene that casts into this program's own shadow map but is missing, wholly or in part, from an
+/// imported map.
 struct LackingCaster {
     std::size_t object = 0;   ///< index in Scene::objects
     std::string path;         ///< path of its node
@@ -129,8 +133,8 @@ struct LackingCaster {
     bool is_whole() const { return lacking_share() >= 0.5; }
 };
 
-/// Finds the casters of a scene that an imported map lacks, by rays from the light through the texels that the drawn
-/// map covers. Leaves out casters of which less than a twentieth of the texels is lacking.
+/// Finds the casters of a scene that an imported map lacks, by rays from the light through the texels that casters
+/// cover in this program's own map. Leaves out casters of which less than a twentieth of the texels is lacking.
 /// @param offset_factor slope factor of the imported map's polygon offset, by which the tolerance grows
 /// @return the caster with most lacking texels first
 /// @throws Cancelled
@@ -139,8 +143,8 @@ std::vector<LackingCaster> lacking_casters(const FloatImage& imported, const Flo
                                            const std::vector<ObjectTraits>& traits, double offset_factor = 0,
                                            const Workers& workers = {});
 
-/// Comparison of one imported shadow map with the drawn map, with both images and the objects missing from the imported
-/// map.
+/// Comparison of one imported shadow map with the map that this program draws, with both images and the objects missing
+/// from the imported map.
 struct ComparedMap {
     MapComparison numbers;
     LightView view;

@@ -122,7 +122,7 @@ std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const
 
 /// Computes the cross-section of a pixel's shadow test along a row or column of texels.
 /// @param light the probe's result for the light
-/// @param diagnosis diagnosis of the pixel; null: none, and the section has no reference
+/// @param diagnosis diagnosis of the pixel; null: none, and the section lacks the ray-traced reference
 /// @param size texels of the map
 /// @param profile points of reference_profile(); empty: surfaces are not drawn
 Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
@@ -131,7 +131,8 @@ Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagno
 /// Computes the cross-section of one light's shadow test at a probed pixel. Chooses the row or column of texels, and
 /// traces the first surfaces from the light by rays.
 /// @param light index into Probe::lights
-/// @param diagnoses diagnoses of the probe's lights; lights beyond their number are drawn without reference
+/// @param diagnoses diagnoses of the probe's lights; lights beyond their number are drawn without the ray-traced
+/// reference
 /// @param casters ray-tracing hierarchy of the scene; null: no surfaces are traced
 Section pixel_section(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
                       const Settings& settings, const ReferenceScene* casters);

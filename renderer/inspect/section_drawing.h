@@ -48,9 +48,9 @@ const InkColour& ink_colour(Ink ink);
 
 /// Line, area, dot or text in the drawing of a cross-section, in pixels.
 struct Mark {
-    /// Shape of a mark.
+    /// Shape of a mark in the drawing of a cross-section.
     enum class Kind { Line, Area, Dot, Text };
-    /// Alignment of a text to its point.
+    /// Alignment of a text in the drawing of a cross-section to its point.
     enum class Anchor { Start, Middle, End };
     Kind kind = Kind::Line;
     Ink ink = Ink::Text;

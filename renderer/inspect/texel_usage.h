@@ -9,16 +9,16 @@
 
 namespace si {
 
-/// Square of shadow-map texels that a kernel reads at one pixel. The square may reach outside the map, where map.wrap
-/// applies.
+/// Square block of shadow-map texels that a filter kernel reads at one pixel. The block may reach outside the map,
+/// where map.wrap applies.
 struct KernelFootprint {
     glm::ivec2 first{0};  ///< lower left texel
     int count = 1;        ///< texels per side
 };
 
-/// Computes the square of shadow-map texels that a kernel reads, also those of weight 0. A texel is read when its
-/// centre lies within `reach_texels` of the kernel's centre along both axes. Of two texels exactly at that distance,
-/// the upper one is read, as in shaders/filters.
+/// Finds the square block of shadow-map texels that a filter kernel reads at one pixel, including those of weight 0. A
+/// texel is read when its centre lies within `reach_texels` of the kernel's centre along both axes. Of two texels
+/// exactly at that distance, the upper one is read, as in shaders/filters.
 /// @param u, v the kernel's centre in map coordinates, 0..1
 /// @param size texels of the map
 /// @param reach_texels Reach::read of the kernel
@@ -29,7 +29,7 @@ KernelFootprint kernel_footprint(float u, float v, MapSize size, double reach_te
 class TexelUsage {
 public:
     TexelUsage() = default;
-    /// Counts the pixels that read each texel.
+    /// Counts the picture pixels whose kernels read each texel of a shadow map.
     /// @param map_coordinates four channels, as FrameResult::map_coordinates
     /// @param size texels of the map
     /// @param reach_texels Reach::read of the kernel

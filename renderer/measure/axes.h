@@ -53,8 +53,8 @@ inline constexpr std::size_t kMaxSweepCases = 100'000;
 
 /// Computes the cases of a sweep: the cross product of the axes, applied to base settings. Cases that differ only in
 /// settings without effect are merged into the first of them. With an axis over scene.*, only cases with equal settings
-/// are merged, since each scene suggests settings of its own. If bias.kind differs from that of the base, its starting
-/// values are set too, except for settings that an axis varies or SweepAxis::held names.
+/// are merged, since each scene suggests settings of its own. A case with another bias.kind than the base also gets the
+/// starting values of that kind, except for settings that an axis varies or SweepAxis::held names.
 /// @throws UsageError when two axes vary one setting, or a value of one axis implies a setting that another axis
 /// varies; or when there are more than kMaxSweepCases
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);

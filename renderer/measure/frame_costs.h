@@ -15,7 +15,7 @@ namespace si {
 /// unchanged passes are cached. Ordered as cost_cases().
 enum class CostCase { Forced, Camera, Light };
 
-/// Kind of frames that are timed by default.
+/// Kind of frames that are timed by default: the camera moves, and unchanged passes are cached.
 inline constexpr CostCase kDefaultCost = CostCase::Camera;
 
 /// Row of the table of cost cases (CostCase): key, label and help of one kind of frames that are timed.
@@ -40,8 +40,9 @@ CostCase parse_cost(std::string_view key);
 inline constexpr double kCostStepDegrees = 0.5;
 
 /// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: only the
-/// given settings. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light view.light
-/// sinks and rises again; below the horizon it rises first. A camera that looks through the light stays in place.
+/// given settings. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light that
+/// view.light selects sinks and rises again; below the horizon it rises first. A camera that looks through the light
+/// stays in place.
 /// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 

@@ -41,11 +41,12 @@ bool is_clearly_better(const Dot& dot, const Dot& at);
 /// @returns index into `dots`; nullopt when each doubling of the cost still lowers the error by a quarter
 std::optional<std::size_t> knee_of(std::span<const Dot> dots, std::span<const std::size_t> front);
 
-/// Cost limits in the table of best cases (BestRow), as multiples of the base case's cost.
+/// Cost limits in the table of best cases (BestRow), as multiples of the cost of the base case (hard kernel, 1024
+/// texels).
 inline constexpr double kCostMultiples[] = {1, 2, 4, 8};
 
 /// Finds the case with the least error among those that cost at most `limit`. Among equal errors it takes the cheapest
-/// case. Returns its index; nullopt when every case costs more.
+/// case. Returns the case's index; nullopt when every case costs more.
 std::optional<std::size_t> best_within(std::span<const Dot> dots, double limit);
 
 }  // namespace si

@@ -37,17 +37,20 @@ double half_interval(const std::vector<double>& values);
 /// @param bursts index of the first sample of each burst (run of frames without a pause); empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 
-/// Point of the frontier plot: cost and error of a measured case, with the noise of each. Smaller is better.
+/// Point of the frontier plot (error over cost): cost and error of a measured case, with the noise of each. Smaller is
+/// better.
 struct Dot {
     double cost = 0, error = 0;
     double cost_noise = 0, error_noise = 0;  ///< differences up to the noise do not count
 };
 
-/// Largest noise, as a share of the value, that lets a worse point of the frontier plot tie with a better one.
+/// Largest noise, as a share of the value, that lets a worse point of the frontier plot (error over cost) tie with a
+/// better one.
 inline constexpr double kMaxTieNoise = 0.03;
 
-/// Returns true when point `a` dominates point `b`: it is better in cost or error by more than the noise, and worse in
-/// neither by more than the noise. Where `a` is worse, at most kMaxTieNoise of the value of `b` counts as noise.
+/// Returns true when point `a` of a frontier plot (error over cost) dominates point `b`. It is then better in cost or
+/// error by more than the noise, and worse in neither by more than the noise. Where `a` is worse, at most kMaxTieNoise
+/// of the value of `b` counts as noise.
 bool dominates(const Dot& a, const Dot& b);
 
 /// Computes the Pareto frontier of error and cost: for each point, true when no other point dominates it. Points closer

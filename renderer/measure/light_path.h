@@ -41,7 +41,7 @@ inline constexpr int kMaxPathSteps = 1000;
 /// or a value out of range
 LightPath straight_path(std::string_view text, int steps, const Settings& settings);
 
-/// Makes the path of the sun over a day for the directional light view.light, from sunrise to sunset.
+/// Makes the path of the sun over a day for the directional light that view.light selects, from sunrise to sunset.
 /// @param text "LATITUDE,DAY" (the option --day): degrees, north positive; day of the year from 1
 /// @param steps number of points
 /// @throws UsageError for text in another form, a polar night, or a light that is not directional
@@ -67,7 +67,8 @@ struct PathChange {
 PathChange path_change(const std::vector<ClassifiedPixel>& before, const Reference& reference_before,
                        const std::vector<ClassifiedPixel>& now, const Reference& reference_now);
 
-/// Measurement at one point of a light's path: error, cost, time, and change since the point before.
+/// Measurement at one point of a light's path: shadow error, work of the frame (WorkCost), time, and change since the
+/// point before.
 struct PathStep {
     PathPoint point;
     ErrorMetrics error;
@@ -92,7 +93,8 @@ struct LightPathResult {
     std::size_t worst(const Metric& metric) const;
 };
 
-/// Measures shadow error, cost and, on request, frame time at every point of a light's path in order.
+/// Measures shadow error and work of the frame (WorkCost: texels, draw calls, triangles) at every point of a light's
+/// path in order. Measures frame time on request.
 /// @param report receives the share done, 0..1, and the values of the next point
 /// @param show receives the results so far, after each point @throws Cancelled, Error
 LightPathResult measure_light_path(Renderer& renderer, const Scene& scene, const Settings& settings, int width,

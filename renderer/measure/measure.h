@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Comparison of a frame with the ray-traced reference of view.light: error metrics, work of the frame, and pictures.
+/// Comparison of a frame with the ray-traced reference of the light view.light: error metrics, work of the frame
+/// (texels, bytes, draw calls, triangles), and pictures.
 struct Classification {
     ErrorMetrics error;
     std::shared_ptr<const Reference> reference;
@@ -34,8 +35,8 @@ public:
     void switch_off(OptimisationSet optimisations);
     /// Draws the next frame of the timed sequence and returns its pass times.
     FrameResult draw_next();
-    /// Draws frames without timing them until cached results are valid again. Call after frames with other settings
-    /// were drawn.
+    /// Draws frames without timing them until cached results are valid again. Call after the renderer has drawn frames
+    /// with other settings.
     void warm_up();
 
 private:
@@ -66,13 +67,14 @@ public:
     Classification classify(const Scene& scene, const Settings& settings);
     /// Draws and times a fixed number of frames, after some frames that only warm up caches. Returns the time of each
     /// frame.
-    /// @param cost kind of frames to time @throws Error, Cancelled
+    /// @param cost kind of frames to time: every pass drawn again, moving camera or moving light @throws Error,
+    /// Cancelled
     TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
-    /// Times frames until the median has settled or the limit of frames is reached. @throws Error, Cancelled
+    /// Times frames until the median time is precise enough or the limit of frames is reached. @throws Error, Cancelled
     TimeMeasurement time(const Scene& scene, const Settings& settings, CostCase cost,
                          const TimeSampler::Limits& limits = {});
     /// Prepares a sequence of frames with these settings, for callers that draw and time the frames one by one.
-    /// @param cost kind of frames to time
+    /// @param cost kind of frames to time: every pass drawn again, moving camera or moving light
     TimedFrames frames(const Scene& scene, const Settings& settings, CostCase cost);
 
 private:

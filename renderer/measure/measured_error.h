@@ -37,8 +37,8 @@ struct MeasuredError {
 /// with the reference, but no cause is known.
 using NeedsCauses = std::function<bool(const MeasuredError& compared)>;
 
-/// Measures a light's shadow error in a frame: traces the reference unless `cache` has it, draws the frame, classifies
-/// its pixels and computes the metrics. Call on the renderer's thread.
+/// Measures a light's shadow error in a frame. Traces the reference (ray-traced shadows) unless `cache` has it, draws
+/// the frame, classifies its pixels and computes the metrics. Call on the renderer's thread.
 /// @param light index of light.*
 /// @param of_pictures true: also draws pictures and computes metrics of them (Metric::of_pictures)
 /// @param needs_causes called once all pixels are compared. If it returns false, causes are not searched for: wrong
@@ -50,8 +50,8 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
                             ReferenceCache& cache, const Workers& workers = {}, bool of_pictures = false,
                             const NeedsCauses& needs_causes = {});
 
-/// Draws a frame twice: with its own shadows, and with the reference's shadows for view.light. Used by metrics that
-/// compare pictures (Metric::of_pictures).
+/// Draws a frame twice: with its own shadows, and with those of the ray-traced reference for the light view.light. Used
+/// by metrics that compare pictures (Metric::of_pictures).
 /// @param request frame to draw, with its reference
 PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Settings& settings,
                               const FrameRequest& request);

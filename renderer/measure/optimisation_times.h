@@ -56,8 +56,8 @@ std::vector<SavedTime> time_optimisations_alternating(
 inline constexpr int kSavedTimeRounds = 15;
 
 /// Measures the time that optimisations save in a frame. Draws every pass again, except for optimisations that depend
-/// on earlier frames (StaticCasterCache, EarlyOut): these are timed by CachedFrames. StaticCasterCache is left out
-/// where no animation plays.
+/// on earlier frames (StaticCasterCache, EarlyOut): these are timed in motion (CachedFrames). StaticCasterCache is left
+/// out where no animation plays.
 /// @param request frames to draw; `forced`, `force` and `timing` are set here
 /// @param report receives the share done, 0..1
 /// @param show receives the times so far, after each round of frames

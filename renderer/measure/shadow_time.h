@@ -18,13 +18,15 @@ namespace si {
 
 class Measurer;
 
-/// Kind of frames whose shadow time is the cost axis of the frontier: the light moves, so that its maps are drawn.
+/// Kind of frames whose shadow time is the cost axis of the frontier plot (error over cost). The light moves, so that
+/// its maps are drawn.
 inline constexpr CostCase kFrontierCost = CostCase::Light;
 
-/// Returns the settings (key, value) of the base case, whose cost is the unit for multiples of costs: the hard kernel
-/// in a map of 1024 texels.
+/// Returns the settings (key, value) of the base case: the hard kernel in a map of 1024 texels. Reports give the cost
+/// of other settings as a multiple of the base case's cost.
 const std::vector<std::pair<std::string, std::string>>& base_of_costs();
-/// Returns the name of the base case, whose cost is the unit for multiples of costs: "Hard (nearest), 1024²".
+/// Returns the name of the base case: "Hard (nearest), 1024²". Reports give the cost of other settings as a multiple of
+/// the base case's cost.
 std::string base_of_costs_name();
 
 /// Returns a copy of the settings in which no light casts shadows (source "none"), with the same shading. Used to time
@@ -81,7 +83,7 @@ std::vector<double> differences(const std::vector<double>& a, const std::vector<
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop = {});
 
-/// Times under one of several settings that are measured alternately.
+/// Frame times and shadow times under one of several settings that are measured alternately.
 struct TurnTimes {
     ShadowSamples shadow;
     TimeSamples frames;  ///< frames with shadows
@@ -93,7 +95,7 @@ struct TurnTimes {
 /// @param burst a function that measures one burst under the settings with an index, and appends its times
 std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst);
 
-/// Number of pairs of frames in one burst of measure_shadow_time().
+/// Number of pairs of frames, with and without shadows, in one burst (run without a pause) of measure_shadow_time().
 inline constexpr int kBurstPairs = 3;
 
 /// Measures the shadow time of one set of settings in bursts, until it has settled (shadow_settled()) or after 8

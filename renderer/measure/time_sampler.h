@@ -64,14 +64,15 @@ struct TimeMeasurement {
 /// @param clock name of the clock
 std::string_view time_unit(const std::string& clock);
 
-/// Limit of Spread::relative() of the total frame time, below which a timing has settled.
+/// Limit of Spread::relative() of the total frame time, below which a timing has settled. It is half the width of the
+/// median's confidence interval, as a share of the median.
 inline constexpr double kSettledSpread = 0.03;
 /// Smallest number of bursts (runs of frames without a pause) for a settled time. Fewer bursts do not show how bursts
 /// differ.
 inline constexpr int kMinBursts = 3;
 
 /// Computes the statistics of sampled pass times.
-/// @param settled_below limit of Spread::relative() below which the total has settled
+/// @param settled_below limit of Spread::relative() below which the total frame time has settled
 TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below = kSettledSpread);
 
 /// Collector of the pass times of frames under one set of settings, until their median has settled. Frames come in
@@ -88,13 +89,13 @@ public:
         double over_s = 1;               ///< shortest duration of all bursts, seconds
     };
     TimeSampler() : TimeSampler(Limits{}) {}
-    /// Begins a timing with these limits.
+    /// Begins a timing of frames with these limits.
     explicit TimeSampler(const Limits& limits) : limits_(limits) {}
 
     /// Adds the pass times of a drawn frame to the timing. The first frame, and the first after a pause, only warms up
     /// and is not counted. @param now_s time at the frame's end in seconds, by any clock
     void add(const FrameResult& frame, double now_s);
-    /// Returns the seconds to wait before the next frame; 0: none.
+    /// Returns the seconds to wait before the next timed frame is drawn; 0: none.
     double pause_s() const { return pause_s_; }
     /// Returns the number of counted frames.
     int frames() const { return int(samples_.total_ms.size()); }
@@ -125,8 +126,8 @@ struct BurstClock {
     static BurstClock steady();
 };
 
-/// Times frames in bursts until the median has settled or the limit of frames is reached. An exception from `draw` ends
-/// the timing and reaches the caller.
+/// Times frames in bursts (runs without a pause) until the median time is precise enough or the limit of frames is
+/// reached. An exception from `draw` ends the timing and reaches the caller.
 /// @param draw a function that draws one frame with timed passes
 /// @param clock clock of the bursts; tests pass their own
 TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::function<FrameResult()>& draw,
@@ -142,7 +143,7 @@ struct WorkCost {
     std::uint64_t draws = 0, triangles = 0;  ///< sums over all passes that ran
 };
 
-/// Computes the work of a frame in numbers that do not depend on the machine.
+/// Computes the work of a frame in numbers that do not depend on the machine: texels, bytes, draw calls, triangles.
 /// @param frame a frame drawn with FrameRequest::force, so that every pass counts
 WorkCost work_cost(const Settings& settings, const FrameResult& frame);
 

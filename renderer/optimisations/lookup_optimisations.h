@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Reason for skipping the depth bounds of the maps (Optimisation::EarlyOut) while the maps change.
+/// Reason for skipping the depth bounds of the shadow maps (Optimisation::EarlyOut) while the maps change.
 inline constexpr std::string_view kMapBoundsWaitReason =
     "the maps are drawn again: finding bounds would take longer than it saves";
 
@@ -25,8 +25,8 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 /// @param tests_bounds true: look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool tests_bounds);
 
-/// Returns the number of map cells (kBoundsCell texels wide) that a kernel centred in a block of texels may read beyond
-/// the block, under one light. The depth bounds of the block include this many cells at each side.
+/// Returns the number of shadow map cells (kBoundsCell texels wide) that a kernel centred in a block of texels may read
+/// beyond the block, under one light. The depth bounds of the block include this many cells at each side.
 int kernel_reach_cells(const FrameState& f, const FittedLight& light);
 
 /// Width in texels of a block of a shadow map, for which one pair of depth bounds is stored (Optimisation::EarlyOut).

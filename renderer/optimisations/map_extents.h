@@ -18,9 +18,8 @@ bool reads_whole_maps(const FrameState& f);
 /// @param[in,out] info report on the pass; unchanged if it skips no texel
 void add_unread_texels_part(const FrameState& f, std::string name, PassInfo& info);
 
-/// Returns the parts of a casting light's shadow maps that the frame reads, as cells of a grid over each map. Cells
-/// outside these parts need not be drawn (Optimisation::UnreadViews). The result is cached until camera, scene or maps
-/// change.
+/// Returns the parts of a light's shadow maps that the frame reads, as cells of a grid over each map. Cells outside
+/// these parts need not be drawn (Optimisation::UnreadViews). The result is cached until camera, scene or maps change.
 /// @param light index of the light
 /// @param maps cache key of the content drawn into the light's maps
 NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps);

@@ -20,12 +20,12 @@ struct MeshBoxes {
     std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// Cache of the objects that the camera sees, and of the parts of each light's shadow maps (MapCells) that the picture
-/// reads.
+/// Cache of the objects that the camera sees, and of the parts of each light's shadow maps (grid cells, MapCells) that
+/// the picture reads.
 struct CameraMapReads {
     std::uint64_t key = 0;  ///< cache key of camera and scene
     std::optional<VisibleBodies> bodies;
-    /// Cells of one light's shadow maps that look-ups read, with the cache key of the inputs.
+    /// Cells of a grid over one light's shadow maps that look-ups read (NeededMaps), with the cache key of the inputs.
     struct LightReads {
         std::uint64_t key = 0;
         NeededMaps needed;

@@ -59,9 +59,9 @@ public:
     /// Returns true when a caster is in the cached map of a light's static casters.
     /// @param content content key of the caster
     bool is_static(std::uint64_t content) const;
-    /// Returns true when a cached map of static casters exists for a key of the light's views.
+    /// Returns true when a cached map of static casters exists for a cache key of the light's views.
     bool has_cache_for(std::uint64_t of_views) const { return of_views == views_ && !static_casters_.empty(); }
-    /// Drops the light's static casters, so that the next frame draws all casters.
+    /// Drops the light's static casters and their cached map, so that the next frame draws all casters.
     void reset() { *this = {}; }
 
     std::vector<StaticView> views;  ///< state by view; none is cached after static casters were chosen again
@@ -74,9 +74,10 @@ private:
     /// cost of a refill.
     std::uint64_t drawn_in_vain_ = 0;
 
-    /// Chooses again which casters of a light are static: those that did not move, if they have enough triangles
-    /// (kMaxTrianglesPerStatic). Call when cached casters have moved. Call also when casters at rest, drawn with the
-    /// moving ones, have cost as much as filling the cache again. Returns which casters to draw.
+    /// Chooses again which casters of a light are static: those that did not move, unless all casters together have
+    /// over kMaxTrianglesPerStatic times as many triangles. Call when a caster in the cached map has moved. Call also
+    /// once drawing stopped casters with the moving ones has taken as much work as refilling the cache. Returns which
+    /// casters the frame draws into the light's map.
     /// @param rested casters with the same content key in the last two frames
     /// @param[out] reason reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
