@@ -10,7 +10,7 @@
 namespace si {
 
 /// Draws the histogram of depths of the image in the map viewer. The user can drag the two depths that are shown as
-/// black and white, or in the view by three bands of depth the two limits between bands.
+/// black and white. In the view by three bands of depth, the limits between the bands are dragged instead.
 /// @param size size of the plot in pixels, from the ImGui cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 

@@ -19,7 +19,7 @@ glm::vec3 map_ramp_colour(MapColours colours, double t);
 void draw_empty_hatch(ImVec2 lo, ImVec2 hi, ImVec2 from, ImVec2 to);
 
 /// Draws the legend of the map viewer's colours, with the depths at both ends, in the lower right corner of the image.
-/// Draws nothing in the view by bands and in small images.
+/// Draws nothing in the view by bands (three ranges of depth) and in small images.
 /// @param end lower right corner of the image, pixels of the screen @param size size of the image, pixels
 void draw_grey_scale(const ViewSettings& view, const FrameResult& frame, ImVec2 end, ImVec2 size);
 

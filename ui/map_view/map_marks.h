@@ -57,7 +57,8 @@ void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, g
 /// @param values the stored depths, row 0 at the top; null or of another size: not read back yet
 /// @param shown the kind of image. For moments the second line gives the moment, or with `linear` the depth of a single
 /// surface that has this moment. At a mip level `values` have that level's size.
-/// @param usage texels that pixels read; null: not known @param frozen true: the readers are the frozen camera's pixels
+/// @param usage texels that pixels read; null: not known @param frozen true: the pixels are those of the frozen camera,
+/// to which maps stay fitted
 std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 size, const FloatImage* values,
                                                   const DepthCurve& curve, const TexelUsage* usage, bool frozen,
                                                   const ShownMap& shown = {}, bool linear = false);

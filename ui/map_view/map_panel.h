@@ -22,7 +22,7 @@ struct MapWindow {
 struct MapPanel {
     MapWindow window;
     bool exact_texels = false;                 ///< marks the texels that kernels fetch
-    std::optional<MarkedTexel> marked_texel;   ///< texel of a finding of the panel Numbers, outlined
+    std::optional<MarkedTexel> marked_texel;   ///< outlined texel with an invalid number (panel Numbers)
     std::string save_path = "shadow-map.pfm";  ///< file that its Save button writes
     std::optional<glm::ivec2> hovered_texel;   ///< texel under the mouse, y up
 };

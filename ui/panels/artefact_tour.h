@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Request to find clusters of wrong pixels in the shown picture: pixels whose shadow differs from the reference for
-/// one cause, such as acne.
+/// Request to find clusters of wrong pixels in the shown picture: pixels whose shadow differs from the ray-traced
+/// reference for one cause, such as acne.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< different for each request; 0: no request yet

@@ -31,16 +31,16 @@ struct EffectsFacts {
     std::optional<SearchProgress> measuring_optimisations;  ///< progress; none: nothing is being measured
 };
 
-/// Requests of the panel Effects to the application: list the effects of a frame, and measure the time that
-/// optimisations save.
+/// Requests of the panel Effects to the application: list the effects of a frame (its passes and their parts), and
+/// measure the time that optimisations save.
 struct EffectsRequests {
     bool want_effects = false;         ///< the panel is shown
     bool measure_saved_times = false;  ///< measure the time that each optimisation saves
     bool cancel_measuring = false;     ///< cancel that measurement
 };
 
-/// Draws the panel Effects: the summed cost of the frame, then a row for each effect (a pass or a part of one) with
-/// state, reason and cost.
+/// Draws the panel Effects: the summed cost of the frame (time, draws, triangles), then a row for each effect. An
+/// effect is a pass or a part of one; its row has state, reason and cost.
 /// @param times times of the last frames @param result the last frame; null: none @param driver the driver; null: not
 /// known
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,

@@ -15,8 +15,8 @@ namespace si {
 struct FixTable;
 struct Trial;
 
-/// Request to search for fixes. A fix changes settings so that wrong pixels, whose shadow differs from the reference,
-/// become right.
+/// Request to search for fixes. A fix changes settings so that wrong pixels, whose shadow differs from the ray-traced
+/// reference, become right.
 struct FixRequest {
     std::optional<glm::ivec2> pixel;  ///< pixel to put right; none: the whole picture
     bool first = false;               ///< stops at the first fix
@@ -30,7 +30,8 @@ struct FixSearch {
     bool current = false;                   ///< the last result is about the present settings
 };
 
-/// Requests of the table of fixes to the application: search, cancel, drop the result, show or apply a fix.
+/// Requests to the application by the table of fixes (changes of settings): search, cancel, drop the result, show or
+/// apply a fix.
 struct FixRequests {
     std::optional<FixRequest> find_fixes;  ///< start a search for a pixel or for the picture
     bool cancel_fixes = false;             ///< cancel the search for the picture
@@ -41,8 +42,8 @@ struct FixRequests {
     const Trial* show_fix = nullptr;   ///< show this row beside the picture (PictureState::tried)
 };
 
-/// Returns the fix that a search found for a pixel under the present settings. Null: there is none, or no search has
-/// ended.
+/// Returns the fix (change of settings) that a search found for a pixel under the present settings. Null: there is
+/// none, or no search has ended.
 /// @param pixel the pixel; none: the whole picture
 const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel);
 
@@ -52,8 +53,8 @@ const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel)
 /// @param wrong true: some pixel is wrong
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong);
-/// Draws the list of fixes found for a pixel or the picture; nothing if there was no search. A click on a row shows its
-/// fix beside the picture, or hides it again. The row's button applies the fix.
+/// Draws the list of fixes (changes of settings) found for a pixel or the picture; nothing if there was no search. A
+/// click on a row shows its fix beside the picture, or hides it again. The row's button applies the fix.
 /// @param settings present settings @param tried settings that are shown for trial; null: none
 /// @param pixel the pixel that the fixes put right; none: the whole picture
 /// @returns true at a click that hides the shown row

@@ -15,7 +15,8 @@ namespace si {
 
 struct Settings;
 
-/// Measured error or cost that can be an axis of the frontier plot (error over cost). Smaller values are better.
+/// Measured error or cost (time, memory or amount of work) that can be an axis of the frontier plot (error over cost).
+/// Smaller values are better.
 struct MeasuredColumn {
     std::string key;
     std::string label;
@@ -32,15 +33,16 @@ struct MeasuredCase {
     std::vector<std::pair<std::string, std::string>>
         settings;                            ///< varied settings, then starting values that they bring along
     std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one for each setting
-    /// Value of each column: distance from the best value, or an upper bound where noise hides the value. Signed
-    /// metrics keep their sign. NaN: not measured.
+    /// Value of each column: distance from the best possible value, or an upper bound where noise hides the value.
+    /// Signed metrics keep their sign. NaN: not measured.
     std::vector<double> values;
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
 
-/// Cases of a sweep as dots of the frontier plot, placed by the error and the cost that the user chose as axes.
+/// Cases of a sweep (combinations of settings) as dots of the frontier plot, placed by the error and the cost that the
+/// user chose as axes.
 struct FrontierView {
-    /// Dot of one case of a sweep in the frontier plot.
+    /// Dot of one case of a sweep (a combination of settings) in the frontier plot (error over cost).
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
@@ -55,8 +57,8 @@ struct FrontierView {
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
-/// Data that the panel Frontier shows: results and progress of the sweep, and the measured numbers of the present
-/// settings.
+/// Data that the panel Frontier shows: results and progress of the sweep (many measured combinations of settings), and
+/// the present settings' numbers.
 struct SweepFacts {
     std::vector<MeasuredColumn> columns;
     std::vector<MeasuredCase> cases;  ///< finished and failed
@@ -92,7 +94,8 @@ struct AxisText {
     bool operator==(const AxisText&) const = default;
 };
 
-/// State of the panel Frontier: settings that the next sweep varies, its options, and the axes of the plot.
+/// State of the panel Frontier: settings that the next sweep varies, its options, and the axes of the plot (error over
+/// cost).
 struct SweepPanel {
     std::vector<AxisText> axes = {{"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}};
     int width = 480;  ///< pixels of the picture that is measured
@@ -125,7 +128,8 @@ struct SweepRequests {
     bool want_present = false;              ///< measure the present settings
 };
 
-/// Draws the panel Frontier: the plot of error over cost, and the controls of the sweep that measures its cases.
+/// Draws the panel Frontier: the plot of error over cost, and the controls of the sweep that measures its cases
+/// (combinations of settings).
 /// @param settings changed by a click on a case @param shown null: there is no sweep, and nothing is measured
 void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* shown, SweepRequests& requests);
 

@@ -28,8 +28,9 @@ struct ImprovePanel : LimitFields {
     bool area = false;  ///< the search for kernel and resolution compares with an area light instead of a point
 };
 
-/// Data that the panel Improve shows: progress and last results of its searches. These are advice, the autopilot, and
-/// the search for waste (work that changes no byte of the picture).
+/// Data that the panel Improve shows: progress and last results of its searches. These search for advice (ranked
+/// changes of settings), the best settings within limits (autopilot), and waste (work that changes no byte of the
+/// picture).
 struct ImproveFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< result for this scene, so far or final; null: none, or autopilot's

@@ -30,7 +30,7 @@ struct LightStripFacts {
     bool path_current = false;              ///< `path` belongs to the present settings, except the light's direction
 };
 
-/// Requests of the page Light path: measure a path, cancel, save the worst step as a preset.
+/// Requests of the page Light path: measure a path, cancel, save the worst step (largest error) as a preset.
 struct LightStripRequests {
     std::optional<std::string> measure_along;  ///< path for straight_path()
     std::optional<std::string> measure_day;    ///< path for day_path()
@@ -48,7 +48,7 @@ std::optional<double> strip_position(const LightPathResult& result, const Settin
 void set_strip_position(const LightPathResult& result, double position, Settings& settings);
 
 /// Draws the fields that define the path of a light, and the plot of error, time or shimmer along it.
-/// @param settings changed by a drag over the plot, and by the button that goes to the worst step
+/// @param settings changed by a drag over the plot, and by the button that goes to the worst step (largest error)
 void draw_light_strip(LightStripPanel& panel, Settings& settings, const LightStripFacts& facts,
                       LightStripRequests& requests);
 

@@ -38,7 +38,7 @@ struct Replacement {
     std::optional<ExportKind> exported = {};  ///< the frame is exported there; none: the preset is saved
 };
 
-/// Data that menus and panels show about presets, recent files and the lost session.
+/// Data that menus and panels show about presets, recent files and the session that a crash has left.
 struct PresetsFacts {
     std::span<const PresetEntry> presets, hard_cases;            ///< two sequences, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first

@@ -17,10 +17,12 @@ namespace si {
 struct Probe;
 struct PixelDiagnosis;
 
-/// Cross-sections of the probed pixel's shadow test, one for each light of the probe.
+/// Cross-sections of the probed pixel's shadow test (surface and stored depths along the light's ray), one for each
+/// light.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
-/// Data that the panel Pixel shows about the probed pixel: shadow test, diagnoses and cross-sections.
+/// Data that the panel Pixel shows about the probed pixel: shadow test, diagnoses, and cross-sections along the light's
+/// ray.
 struct ProbeFacts {
     const Probe* probe = nullptr;  ///< shadow test of state.probe_pixel; null: not known
     AnchorPlace anchor_place = AnchorPlace::Seen;
@@ -30,10 +32,10 @@ struct ProbeFacts {
     bool verdict_follows = false;  ///< the data belongs to an earlier picture; the next picture is being drawn
 };
 
-/// Cache of drawn cross-sections of a probed pixel's shadow test. It is valid until the pixel or the size on the screen
-/// changes.
+/// Cache of drawn cross-sections of a probed pixel's shadow test (surface and stored depths along the light's ray). It
+/// is valid until the pixel or the size on the screen changes.
 struct SectionViews {
-    /// Cross-section of one light's shadow test, drawn for one size on the screen.
+    /// Cross-section of one light's shadow test along the light's ray, drawn for one size on the screen.
     struct View {
         std::size_t light = 0;
         double width = 0, height = 0, em = 0;

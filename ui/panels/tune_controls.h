@@ -47,7 +47,7 @@ struct SearchProgress {
 /// Formats the progress of a search in the background: "42 %, 12 s left".
 std::string progress_text(const SearchProgress& progress);
 
-/// Data about the search for the least bias that panels show: progress and last results.
+/// Data that panels show about the search for the least bias: progress and last results.
 struct TunePanelFacts {
     std::optional<SearchProgress> tuning;    ///< none: not under way
     const FoundBias* tuned = nullptr;        ///< last result for this scene, also while the search runs; null: none
@@ -69,8 +69,8 @@ void draw_tune_progress(const SearchProgress& progress, TuneRequests& requests);
 /// picture, or hides it again. The row's button sets the bias.
 /// @param settings changed by a row's button @param tried settings that are shown for trial; null: none
 void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Settings* tried, TuneRequests& requests);
-/// Draws the button that sets the kernel, resolution and bias that a search within limits has found. Draws nothing if
-/// `settings` already have this kernel and resolution, or the result belongs to other settings.
+/// Draws the button that sets the kernel, resolution and bias that a search within limits of error or frame time has
+/// found. Draws nothing if `settings` already have this kernel and resolution, or the result belongs to other settings.
 void draw_tuned_result(const TunePanelFacts& shown, Settings& settings, TuneRequests& requests);
 
 }  // namespace si

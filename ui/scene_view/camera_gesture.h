@@ -18,9 +18,11 @@ void orbit_camera(CameraSettings& camera, double dx, double dy);
 /// @param seen camera with which the picture was drawn @param dx, dy mouse movement, pixels, y down
 /// @param height picture height, pixels
 void pan_camera(CameraSettings& camera, const Camera& seen, double dx, double dy, int height);
-/// Zooms the camera towards the mouse: moves it closer to the point that it looks at, or away. The point on the ray
-/// `towards` at the same depth keeps its place in the picture. An orthographic camera narrows or widens its view.
-/// @param seen camera with which the picture was drawn @param steps notches of the wheel; positive: closer
+/// Zooms the camera towards the mouse: moves it closer to the point that it looks at, or away. At the depth of that
+/// point, the place under the mouse keeps its position in the picture. An orthographic camera narrows or widens its
+/// view.
+/// @param seen camera with which the picture was drawn @param towards ray through the mouse @param steps notches of the
+/// wheel; positive: closer
 void zoom_camera(CameraSettings& camera, const Camera& seen, const Ray& towards, double steps);
 /// Turns the camera about its own eye, for looking around while flying. @param dx, dy mouse movement, pixels, y down
 void turn_camera(CameraSettings& camera, double dx, double dy);

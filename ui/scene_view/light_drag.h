@@ -9,7 +9,7 @@
 namespace si {
 
 /// Returns the pose (position, direction and settings) from which a drag of a light's handle starts. Values that the
-/// light's fit has chosen become settings, as far as the handle needs them:
+/// light's fit (the rule for what its map covers) has chosen become settings, as far as the handle needs them:
 /// - Extent, near or far of any light, place or target of a directional light: all fitted values become settings, and
 ///   light.fit becomes manual.
 /// - Place, direction, cone or target of another light: the fitted distance becomes light.distance, and the map is
@@ -18,7 +18,7 @@ namespace si {
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// Returns the light's settings after a drag of `handle` to the place `to` on the screen (pixels). Nothing if the
-/// handle cannot appear there.
+/// handle has no place under the mouse: it moves along the line of sight, or would lie behind the camera.
 /// @param start the pose at the press of the button (grab_light())
 /// @param step step of lengths, metres (angles then step by 5 degrees); 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,

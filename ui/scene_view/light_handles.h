@@ -52,7 +52,8 @@ struct LightPose {
     glm::dvec3 to_light{0, 1, 0};     ///< world; unit vector from the target
     double distance = 1;              ///< m, from target to position
     bool has_map = true;              ///< the light has a shadow map, with near, far and extent
-    /// Returns true if the light has cascades or a warped view, which only the fit changes.
+    /// Returns true if the light has cascades or a warped view. Only the fit (the rule for what a map covers) changes
+    /// these.
     bool cascaded() const { return !cascades.empty(); }
     /// Returns true if the light's map is in parallel projection.
     bool orthographic() const { return !view.curve.perspective; }
@@ -64,7 +65,8 @@ struct LightPose {
 /// @param fitted the light as the last frame fitted it @param face index of the view (cube face, cascade) that is shown
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
-/// Returns all handles that a light has by its type and fit, visible in the picture or not.
+/// Returns all handles that a light has by its type and fit (the rule for what its map covers), visible in the picture
+/// or not.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
 /// Returns the position of a light's handle in world space. Arrows, and the ball on which the direction's handle moves,

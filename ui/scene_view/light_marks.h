@@ -6,16 +6,16 @@
 
 namespace si {
 
-/// Draws the shown light into the scene picture: frusta of its maps, rim of a spot light's cone, and range. A light
-/// outside the picture gets an arrow at the picture's edge. draw_handles() draws position and target.
+/// Draws the shown light (view.light) into the scene picture: frusta of its maps, rim of a spot light's cone, and
+/// range. A light outside the picture gets an arrow at the picture's edge. draw_handles() draws position and target.
 /// @param busy true: the light is hovered or dragged; false: its lines are faint
 /// @param pointer_hovered true: the arrow is highlighted
 void draw_shown_light(const PicturePainter& painter, const LightPose& pose, bool busy, bool pointer_hovered);
 /// Returns the place of the arrow that points to a light outside the picture, pixels of the screen. Nothing if the
 /// light is inside.
 std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView& view);
-/// Draws a light that is not the shown one into the scene picture: faint frusta of its maps and a mark at its position.
-/// Point lights have no frusta.
+/// Draws a light that is not the shown one (view.light) into the scene picture: faint frusta of its maps and a mark at
+/// its position. Point lights have no frusta.
 void draw_other_light(const PicturePainter& painter, const LightPose& pose, const FittedLight& fitted, bool hovered);
 
 /// Draws the handles, position and direction of the shown light into the scene picture.

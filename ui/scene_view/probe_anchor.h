@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Surface point that the probe follows while the camera moves.
+/// Surface point that the probe (the test of one chosen pixel) follows while the camera moves.
 struct ProbeAnchor {
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0, 1, 0};
@@ -19,18 +19,18 @@ struct ProbeAnchor {
     glm::ivec2 pixel{0};  ///< pixel of the point in the last frame; if another pixel is probed, the user chose it
 };
 
-/// Visibility, in the picture, of the surface point that the probe follows while the camera moves.
+/// Visibility, in the picture, of the surface point that the pixel probe follows while the camera moves.
 enum class AnchorPlace {
     Seen,
     Hidden,   ///< behind another surface, which is probed in its place
     Outside,  ///< outside the picture or behind the camera; nothing is probed
 };
 
-/// Returns the pixel at which a picture shows the surface point that the probe follows, row 0 at the top. Nothing if
-/// the point is outside the picture. @param width, height size of the picture, pixels
+/// Returns the pixel at which a picture shows the surface point that the pixel probe follows, row 0 at the top. Nothing
+/// if the point is outside the picture. @param width, height size of the picture, pixels
 std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera& camera, int width, int height);
 
-/// Returns true if the surface in the probed pixel is nearer to the camera than the surface point that the probe
+/// Returns true if the surface in the probed pixel is nearer to the camera than the surface point that the pixel probe
 /// follows (`anchor`), and hides this point.
 bool hides(const Probe& probe, const ProbeAnchor& anchor);
 

@@ -28,7 +28,7 @@ struct Place {
 class History {
 public:
     /// Drops all steps of the undo history and begins a new history with `settings`. Call at the start of the program,
-    /// and when the first scene is loaded.
+    /// and when the program has loaded its first scene.
     void reset(const Settings& settings);
     /// Sets the scene and preset to which the next recorded step of undo belongs. record() also makes a step for a
     /// change of scene alone.

@@ -31,10 +31,11 @@ float closed_strip_height();
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the page Lights of the inspector: the list of lights, and all settings of the shown light.
 void draw_lights_page(EditorState& state, const EditorFrame& frame);
-/// Draws the page Pixel of the inspector: shadow test, verdict and cross-section of the probed pixel.
+/// Draws the page Pixel of the inspector, about the probed pixel: shadow test, verdict, and cross-section along the
+/// light's ray.
 void draw_probe(EditorState& state, const EditorFrame& frame);
 /// Draws the page Error of the strip (the panel below the pictures): errors of the shown light's shadows against the
-/// reference, in numbers and by cause.
+/// ray-traced reference, in numbers and by cause.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the page Objects of the inspector: the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
@@ -44,27 +45,30 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 /// Returns the height of the controls that draw_time_bar() draws, pixels; 0: the scene has no animation.
 float time_bar_height(const EditorFrame& frame);
-/// Draws the notes above the pictures, each only while it applies: reset of the graphics driver, lost session, saved
-/// scene files, far objects, z-up scene, open preset. @param width pixels; the height follows the text
+/// Draws the notes above the pictures, each only while it applies. Subjects: reset of the graphics driver, session left
+/// by a crash, saved scene files, far-off objects, z-up scene, open preset. @param width pixels; the height follows the
+/// text
 void draw_notes(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
 /// Returns the built-in presets that the buttons Next and Previous step through. These are the hard cases (corner cases
-/// of shadow maps) if a hard case is open, else the guided presets.
+/// of shadow maps) if a hard case is open, else the guided presets (with a sentence on what to look at).
 std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame);
 /// Returns the key of the preset `step` places after the open one in open_preset_sequence(); none beyond either end. If
 /// no preset of the list is open, returns the first, or the last for a negative step.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
-/// Draws the colour scale of a pane's overlay, with numbers and unit, over the lower left corner of the pane's picture.
-/// For an overlay with one colour for each view of the light, lists the views instead, with range and texel size.
+/// Draws the colour scale of a pane's overlay, with numbers and unit, over the lower left corner of the pane's scene
+/// picture. For an overlay with one colour for each view of the light, lists the views instead, with range and texel
+/// size.
 /// @param light the shown light; null: none @param map_size texels of each view's map
 /// @param left, bottom lower left corner of the picture, pixels of the screen @param room size of the picture, pixels
 void draw_legend(const Pane& pane, const FittedLight* light, MapSize map_size, float left, float bottom, ImVec2 room);
 
-/// Draws widgets for opacity and scale of a pane's overlay, below its legend (draw_legend()).
+/// Draws widgets for opacity and scale of the overlay of a pane (one of up to four scene pictures), below its legend
+/// (draw_legend()).
 /// @param left, bottom lower left corner of the picture, pixels of the screen @param room size of the picture, pixels
 void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
-/// Returns the width of the widgets that draw_legend_widgets() draws for a pane, pixels.
+/// Returns the width of the widgets that draw_legend_widgets() draws for a pane (a scene picture), pixels.
 float legend_widgets_width(const Settings& settings, const Pane& pane);
 /// Returns the height of the widgets that draw_legend_widgets() draws, pixels; 0: no overlay, or too small a picture.
 /// @param room size of the picture, pixels
@@ -87,26 +91,28 @@ void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left
 /// Draws the combo that chooses how two pictures are compared: off, swipe, side by side or difference.
 /// @param width width of the combo, pixels
 void comparison_view_widget(EditorState& state, float width);
-/// Draws the combo that chooses what the picture is compared with: the reference, or the picture of other settings.
+/// Draws the combo that chooses what the picture is compared with: the ray-traced reference, or the picture of other
+/// settings.
 /// @param width width of the combo, pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
-/// Returns the arrangement of the compared pictures (off, swipe, side by side, difference) that the user has chosen. A
-/// held key that shows the pinned settings alone does not change it.
+/// Returns the arrangement of the compared pictures (off, swipe, side by side, difference) that the user has chosen.
+/// The key that, while held, shows only the picture of the pinned settings does not change it.
 ComparisonView chosen_comparison(const EditorState& state);
 /// Moves the line of the swipe comparison, between the two compared pictures, with the mouse. Call before the picture's
 /// own gestures. Returns true while the line is dragged: the picture then ignores the mouse.
 bool steer_swipe(EditorState& state, const PictureView& view);
-/// Draws the other picture of a comparison over the shown one: right of the swipe's line, side by side, or as a
-/// difference. Labels the two sides with the names of their settings.
+/// Draws the other picture of a comparison over the shown one: right of the dividing line (swipe), side by side, or as
+/// a difference. Labels the two sides with the names of their settings.
 /// @param lo upper left corner of the pane, pixels of the screen @param size size of the pane, pixels
 /// @param right_half true: the right pane of a comparison side by side
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
 /// Pins the present settings as A, to compare later settings with them. If no pictures are compared, the next
-/// comparison shows A. Removes the pin if these settings are pinned already. Does nothing while a key shows A alone.
+/// comparison shows A. Removes the pin if these settings are pinned already. Does nothing while the user holds the key
+/// that shows A alone.
 void pin_settings(EditorState& state);
-/// Previews settings that a search proposes: shows their picture right of the swipe's line, and the present picture
-/// left of the line. Does nothing while a key shows the pinned settings alone.
+/// Previews settings that a search proposes: shows their picture right of the dividing line (swipe), and the present
+/// picture left of it. Does nothing while the user holds the key that shows only the picture of the pinned settings.
 void show_tried(EditorState& state, const Settings& settings);
 /// Ends the preview of proposed settings that show_tried() began, and restores the earlier picture comparison.
 void hide_tried(EditorState& state);

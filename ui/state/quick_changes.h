@@ -20,14 +20,14 @@ void remove_bias(Settings& settings);
 void next_light_type(Settings& settings);
 /// Doubles or halves map.resolution, clamped to its range. @param twice true: doubles; false: halves
 void scale_resolution(Settings& settings, bool twice);
-/// Applies the fix that was found for the probed pixel under the shown light. If no fix exists, the log gives the
-/// reason. While the search is not finished, apply_waiting_fix() applies the fix later.
+/// Applies the fix (change of settings) that was found for the probed pixel under the shown light. If no fix exists,
+/// the log gives the reason. While the search is not finished, apply_waiting_fix() applies the fix later.
 void apply_fix(EditorState& state, const EditorFrame& frame);
 /// Applies the fix that apply_fix() could not apply yet, once its search has ended. A click on another pixel drops it.
 /// Call once a frame.
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame);
-/// Requests the search for a fix of the probed pixel once the pixel is known to be wrong. Does nothing if neither a
-/// shown panel nor a waiting apply_fix() needs the fix. Call once a frame.
+/// Requests the search for a fix (change of settings) of the probed pixel once the pixel is known to be wrong. Does
+/// nothing if neither a shown panel nor a waiting apply_fix() needs the fix. Call once a frame.
 void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests);
 
 /// Texel of a light's shadow map.

@@ -154,8 +154,8 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
 /// @param shown true: the window is open; becomes false when the user closes it
 void draw_shortcuts(bool& shown);
 
-/// Assigns the arrow keys to the probe, which they then move, or to ImGui's keyboard navigation, from the next frame
-/// on. KeyboardState::probe_has_arrows decides. Call once a frame.
+/// Assigns the arrow keys to the pixel probe, which they then move, or to ImGui's keyboard navigation, from the next
+/// frame on. KeyboardState::probe_has_arrows decides. Call once a frame.
 void assign_arrow_keys(EditorState& state);
 /// Hides Page up and Page down from ImGui, so that they do not scroll panels, except in menus and dialogs. Takes effect
 /// in the next frame; call once a frame.

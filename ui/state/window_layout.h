@@ -132,7 +132,8 @@ struct KeyboardState {
     std::array<int, 2> page_keys = {-1, -1};  ///< window codes of Page up and Page down; -1: not known yet
 };
 
-/// Part of the editor that a screenshot shows. Drawing: the cross-section of the probed pixel's shadow test.
+/// Part of the editor that a screenshot shows. Drawing: the cross-section of the probed pixel's shadow test along the
+/// light's ray.
 enum class Shot { Scene, Map, Window, Drawing };
 
 /// Rectangle of the screen in ImGui's units, y down. Size 0: the part of the window that it describes was not drawn.

@@ -13,7 +13,7 @@ enum class ExportKind {
     Code,     ///< settings as code of an engine, which the dialog Convert writes
 };
 
-/// Request to write the shown frame into a file: a bundle, a picture, a map or code.
+/// Request to write the shown frame into a file: a bundle (scene, camera and maps as files), a picture, a map or code.
 struct ExportRequest {
     ExportKind kind = ExportKind::Bundle;
     std::string path;

@@ -15,9 +15,9 @@ struct EditorFrame;
 
 /// State of the file dialog that the editor draws itself.
 struct FileDialog {
-    /// Purpose of the dialog.
+    /// Purpose of the editor's file dialog.
     enum class Job { Open, SavePreset, ChooseBundle, Export };
-    /// Kind of files that the dialog lists.
+    /// Kind of files that the editor's file dialog lists.
     enum class Kind { All, Models, Presets };
     /// File or folder that the editor's file dialog lists.
     struct Entry {
@@ -57,7 +57,8 @@ void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesy
 void open_bundle_dialog(FileDialog& dialog, const std::string& key, const std::filesystem::path& path);
 /// Returns the path of a preset with its extension (.json), which is added if it is missing.
 std::filesystem::path with_preset_extension(std::filesystem::path path);
-/// Returns the path of a bundle with the extension .bundle added, unless it ends with .bundle or .zip.
+/// Returns the path of a bundle (a frame of an engine as files) with the extension .bundle added, unless it ends with
+/// .bundle or .zip.
 std::filesystem::path with_bundle_extension(std::filesystem::path path);
 /// Returns the path of an exported file with the usual extension of its kind added, unless it has an extension of this
 /// kind.

@@ -167,7 +167,7 @@ inline void heading_text(std::string_view text) {
     ImGui::PopFont();
 }
 
-/// Draws a value in the table's next column.
+/// Draws a value, in the font for values, in the next column of the current ImGui table.
 inline void value_cell(std::string_view text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     ImGui::PushFont(theme::value());
@@ -175,7 +175,7 @@ inline void value_cell(std::string_view text, ImU32 colour = theme::text()) {
     ImGui::PopFont();
 }
 
-/// Draws help: small, muted, in lines as wide as the window or the column.
+/// Draws help text: small, muted, in lines as wide as the window or the column.
 inline void help_text(const std::string& text) {
     ImGui::PushFont(theme::small());
     coloured_wrapped(text, theme::muted());
@@ -217,7 +217,7 @@ inline bool wrapped_selectable(const std::string& label, bool selected) {
     return pressed;
 }
 
-/// Draws text in the table's next column.
+/// Draws text in the next column of the current ImGui table.
 inline void text_cell(std::string_view text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     coloured_text(text, colour);
@@ -230,7 +230,7 @@ inline void right_aligned(const std::string& text, ImU32 colour = theme::text())
     coloured_text(text, colour);
 }
 
-/// Draws right-aligned text in the table's next column.
+/// Draws right-aligned text in the next column of the current ImGui table.
 inline void right_cell(const std::string& text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     right_aligned(text, colour);
