@@ -93,7 +93,7 @@ private:
         std::vector<T> elements;
         TrackedMemory held;
     };
-    /// Returns the block that all empty arrays share.
+    /// Returns the memory block that all empty arrays share.
     static const std::shared_ptr<Block>& none() {
         static const std::shared_ptr<Block> block = std::make_shared<Block>(std::vector<T>());
         return block;

@@ -24,8 +24,8 @@ struct SurfacePoint {
 };
 
 /// Shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the
-/// inverse depth curve of the view. In perspective maps they are not proportional to the depth, and they never exceed
-/// the distance to the light.
+/// light view's inverse depth curve, which converts depth-buffer values to distances. In perspective maps they are not
+/// proportional to the depth, and they never exceed the distance to the light.
 struct DepthShift {
     double depth = 0;   ///< depth-buffer units; above 0 is towards the light
     double texels = 0;  ///< along the view's axis, in texel widths at the point (the unit of bias.unit)
@@ -49,14 +49,15 @@ struct BiasBreakdown {
     /// Equivalent depth bias of the normal offset h (bias.normal), in depth-buffer units: depth between the moved point
     /// and the receiver's plane. Along the light's ray this is h times 1 / cos(theta) for bias.normal_by length,
     /// tan(theta) for sine, (1 - cos(theta)) / cos(theta) for one-minus-cosine, and sin(theta) tan(theta) for sideways.
-    /// Infinite for a plane edge-on to the light.
+    /// Theta is the angle between the surface normal and the light. Infinite for a plane edge-on to the light.
     double normal = 0;
-    /// Equivalent depth bias of polygon offset (bias.raster_*, as the driver applies it) and of
-    /// LightView::caster_shift, in depth-buffer units.
+    /// Equivalent depth bias of polygon offset (bias.raster_*, as the driver applies it) and of an engine's shift of
+    /// casters (LightView::caster_shift), in depth-buffer units.
     double raster = 0;
 
-    /// Returns the equivalent depth bias of all bias settings together, in depth-buffer units. The surface does not
-    /// shadow itself when this bias is at least least.total().
+    /// Returns the equivalent depth bias of all settings: the depth bias that acts against acne as much as all bias
+    /// settings together, in depth-buffer units. The surface does not shadow itself when this bias is at least
+    /// least.total().
     double equivalent_depth() const { return constant + slope + bias_of_kind + normal + raster; }
     /// Shift of the compared depth towards the light, in depth-buffer units. Occluders closer to the receiver than this
     /// shift cast no shadow. The normal offset counts only by its part along the light's ray.
@@ -92,7 +93,8 @@ struct BiasBreakdown {
 /// and the least bias that avoids acne there.
 /// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
-/// @param kernel_reach_texels kernel_reach_in_light().bias, the same for all points; none: computed by this call
+/// @param kernel_reach_texels reach of the kernel (kernel_reach_in_light().bias), the same for all points; none:
+/// computed by this call
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size,
                              const SurfacePoint& point, const RasterTraits& driver,
                              std::optional<double> kernel_reach_texels = {});

@@ -70,19 +70,20 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize si
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// Returns the depth bias that covers float rounding of map coordinates on a plane, in depth-buffer units:
-/// 2^-21 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`, and `across` the texels of the map's shorter side
-/// times the shortest side of a texel at the point, metres. w'/w is the relative change of clip-space w per metre in a
-/// warped view. Needed where texels are compared with the plane's depth at their own centre.
+/// 2^-21 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`. `across` is a length in metres: the number of
+/// texels along the map's shorter side, times the shortest side of a texel at the point. w'/w is the relative change of
+/// clip-space w per metre in a warped view. Needed where texels are compared with the plane's depth at their own
+/// centre.
 /// @param gradient g, depth-buffer units per map width (ReceiverPlane)
 /// @param extent_m largest coordinate in the shaders, metres
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
                         MapSize size);
 
 /// Returns the normal offset in metres that acts against acne as much as the depth bias `b_min` does. Moving a plane by
-/// h along its normal n moves it by h / |n . r| along the light's ray r. For an orthographic light and texel size s the
-/// offset is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), at most sqrt(2) kappa s plus the depth
-/// step delta_z. theta is the angle between n and r, phi the direction of the slope in the map. Holbert, Saying Goodbye
-/// to Shadow Acne, GDC 2011.
+/// h along its normal n moves it by h / |n . r| along the light's ray r. For an orthographic light, texel size s and
+/// kernel reach kappa (texels), the offset is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), at most
+/// sqrt(2) kappa s plus the depth step delta_z. theta is the angle between n and r, phi the direction of the slope in
+/// the map. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
 /// @param normal_ws normal of the plane, world, any length
 /// @param b_min depth bias, depth-buffer units
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,

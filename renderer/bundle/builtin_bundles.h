@@ -14,7 +14,8 @@ namespace si {
 /// "builtin:strip".
 inline constexpr std::string_view kBuiltinBundlePrefix = "builtin:";
 
-/// Axis-aligned box in the scene that the shadow maps of built-in bundles show, metres.
+/// Axis-aligned box in the scene that the shadow maps of built-in bundles (engine frames made by this program) show,
+/// metres.
 struct GivenBody {
     glm::dvec3 lo{0}, hi{0};
 };
@@ -24,11 +25,11 @@ inline constexpr double kGivenFloorSide = 10;
 /// Boxes above the floor in the scene that the shadow maps of built-in bundles show.
 inline constexpr std::array kGivenBodies = {GivenBody{{-0.75, 0.25, -1}, {0.75, 1.25, 1}},
                                             GivenBody{{-3, 0.5, 1}, {-2, 2, 1.75}}};
-/// World position of the built-in bundles' scene in the bundles far from the origin ("relative-to-camera" and
-/// "absolute"), metres.
+/// World position of the scene in the two built-in bundles (engine frames made by this program) that lie far from the
+/// origin: "relative-to-camera" and "absolute". Metres.
 inline constexpr glm::dvec3 kGivenFarPlace{4194304, -2097152, 4194304};
 
-/// Light of a built-in bundle: a sun (parallel rays) or a spot light.
+/// Light of a built-in bundle (an engine frame made by this program): a sun (parallel rays) or a spot light.
 struct GivenLight {
     double azimuth_deg = 0, elevation_deg = 0;  ///< as in the settings light.azimuth and light.elevation
     double distance = 0;                        ///< metres from a spot light to the middle of the scene's bounds

@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Returns the JSON schema (draft 2020-12) of frame.json: the text of docs/bundle.schema.json.
+/// Returns the JSON schema (draft 2020-12) of frame.json, the description of a bundle (an engine's frame as files): the
+/// text of docs/bundle.schema.json.
 std::string bundle_schema();
 
 }  // namespace si

@@ -65,7 +65,8 @@ struct KnownConvention {
     std::optional<UpAxis> up;
     std::optional<MirroredAxis> mirrored;
     std::optional<double> unit;
-    /// Returns the stated axes and unit of the light file. Parts that are not stated are those of the scene's world.
+    /// Returns the stated axes and length unit of the light file (JSON with the light of an imported map image). Parts
+    /// that are not stated are those of the scene's world.
     LightAxes own_axes() const;
     /// Returns true when a combination of conventions contradicts none of the stated ones.
     bool allows(const Convention& convention) const;
@@ -113,8 +114,8 @@ struct ConventionFits {
 
 /// Finds the conventions by which an imported shadow map is written, where they are not stated. Reads the map by every
 /// possible combination, and compares some 4,000 texels per map with the casters of a scene. Without a scene, texels
-/// count as misfits outside the depth range and on the near plane. With a scene, other axes, handedness and units of
-/// the light file are tried too: first on few texels, then the plausible ones on all.
+/// count as misfits outside the depth range and on the near plane. With a scene, other axes, handedness and length
+/// units of the light's world are also tried: first on few texels, then plausible ones on all.
 /// @param light light whose maps all read one image; its stated conventions are those of `known`
 /// @param type_known false: BundleLight::type is not stated
 /// @param world matrix from the engine's world to metres, y up, right-handed

@@ -57,14 +57,14 @@ struct ImportedMaps {
 /// Makes the imported maps of one light from images and views, and computes their cache key.
 /// @throws Error without an image, for images of more than one channel or different sizes, or where their number is not
 /// that of the views
-/// @param raster by view; empty: unknown @param bias_known ImportedMaps::bias_known
+/// @param raster raster state by view; empty: unknown @param bias_known ImportedMaps::bias_known
 std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images,
                                                   std::optional<ImportedViews> views = std::nullopt,
                                                   std::vector<CasterRaster> raster = {}, bool bias_known = true);
 
 /// Makes maps of one light without images: this program draws them from the scene's casters, with these views instead
-/// of those of a fit.
-/// @param raster by view; empty: as the settings say
+/// of those that light.fit would give.
+/// @param raster raster state by view; empty: as the settings say
 /// @throws Error without a view, for a size below 1, or where the number of raster states is not that of the views
 std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
                                                std::vector<CasterRaster> raster = {});

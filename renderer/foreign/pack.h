@@ -16,19 +16,19 @@ namespace si {
 /// four bytes.
 class PackWriter {
 public:
-    /// Appends a number in eight bytes.
+    /// Appends a number to the message, in eight bytes.
     void number(std::uint64_t value) {
         const auto* at = reinterpret_cast<const std::uint8_t*>(&value);
         bytes_.insert(bytes_.end(), at, at + sizeof value);
     }
-    /// Appends the size of a block and its bytes.
+    /// Appends a block of bytes to the message: its size, then its bytes.
     void block(std::span<const std::uint8_t> bytes) {
         number(bytes.size());
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
         bytes_.resize((bytes_.size() + 3) / 4 * 4);
     }
     void block(std::string_view text) { block({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
-    /// Returns the bytes written so far. The caller may move them away once the message is complete.
+    /// Returns the bytes of the message written so far. The caller may move them away once the message is complete.
     std::vector<std::uint8_t>& bytes() { return bytes_; }
 
 private:
@@ -40,13 +40,13 @@ private:
 class PackReader {
 public:
     explicit PackReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-    /// Returns the next number.
+    /// Returns the next number of the message.
     std::uint64_t number() {
         std::uint64_t value = 0;
         std::memcpy(&value, take(sizeof value).data(), sizeof value);
         return value;
     }
-    /// Returns the next block, as a view into the bytes.
+    /// Returns the next block of bytes of the message, as a view into the message.
     std::span<const std::uint8_t> block() {
         const std::uint64_t size = number();
         if (size > bytes_.size() - at_) fail();
@@ -54,12 +54,12 @@ public:
         at_ = std::min(bytes_.size(), (at_ + 3) / 4 * 4);
         return out;
     }
-    /// Returns the next block as text, as a view into the bytes.
+    /// Returns the next block of the message as text, as a view into the message.
     std::string_view text() {
         const auto bytes = block();
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     }
-    /// Returns true if all bytes were read.
+    /// Returns true if all bytes of the message were read.
     bool at_end() const { return at_ == bytes_.size(); }
 
 private:

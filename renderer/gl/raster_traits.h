@@ -23,9 +23,10 @@ struct PolygonOffset {
     bool slope_is_length = false;  ///< true: m follows the length of the slope; false: its larger component
     double slope_gain = 1;         ///< m divided by the length or larger component of the slope
 
-    /// Returns the depth shift of units = 1 at a depth where the format's step is `quantum`.
+    /// Returns the depth shift of glPolygonOffset(0, 1) at a depth where the map format's step is `quantum`.
     double unit(double quantum) const { return unit_depth + unit_steps * quantum; }
-    /// Returns the depth shift of factor = 1 on a plane. @param per_texel change of depth per texel along u and v
+    /// Returns the depth shift of glPolygonOffset(1, 0) on a plane. @param per_texel change of depth per texel along u
+    /// and v
     double slope(const glm::dvec2& per_texel) const {
         const glm::dvec2 s = glm::abs(per_texel);
         return slope_gain * (slope_is_length ? glm::length(s) : std::max(s.x, s.y));

@@ -13,8 +13,8 @@ namespace si::gl {
 /// Map from a name in `#include NAME` to the included file, e.g. FILTER_FILE -> "filters/pcf.glsl".
 using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
-/// Registers a GLSL text under a path below shaders/, for techniques that are not built in. Every ShaderSource created
-/// afterwards finds the text.
+/// Registers a GLSL text under a path below shaders/, for shadow techniques that are not built in. Every ShaderSource
+/// created afterwards finds the text.
 /// @param path path below shaders/, by which #include refers to the text
 void add_shader_text(std::string path, std::string text);
 
@@ -30,7 +30,7 @@ public:
     /// @param files receives the paths in the order of their #line numbers
     /// @throws Error naming file, line and the missing include.
     std::string expand(std::string_view path, const IncludeNames& names, std::vector<std::string>& files) const;
-    /// Returns a counter that grows whenever poll() finds a saved file. Constant when nothing is watched.
+    /// Returns a counter that grows whenever poll() finds a saved shader file. Constant when no folder is watched.
     std::uint64_t generation() const { return generation_; }
     /// Reads again the GLSL files that were saved since the last call (development builds). Returns true if any was
     /// read.

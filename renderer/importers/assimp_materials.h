@@ -42,7 +42,7 @@ private:
     /// Writes a texture with its image and sampler into the GLB; later calls with equal arguments return the same
     /// texture. Adds a note for an image that cannot be read.
     /// @param opacity_path image whose opacity becomes the alpha of the texture; empty: none
-    /// @param material_name for the note
+    /// @param material_name name of the material, for the note
     Written texture(const Named& colour, const std::string& opacity_path, const std::string& material_name);
     /// Converts a material of Assimp to a glTF material, and writes its textures.
     nlohmann::json material(const aiMaterial& from);

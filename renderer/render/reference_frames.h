@@ -23,8 +23,8 @@ ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Setti
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                    ReferenceCache& cache, const Workers& workers = {});
 
-/// Draws a frame with all ray-traced data that it needs: traced lights, light maps and the reference. Traces the data
-/// that `request` and `cache` lack. Blocks until all rays are traced.
+/// Draws a frame with all ray-traced data that it needs: traced lights, light maps and the ray-traced reference. Traces
+/// the data that `request` and `cache` lack. Blocks until all rays are traced.
 /// @param[in,out] request receives the reference, for the next frame
 /// @param options options of the reference, which is then traced in any case; nullopt: reference_options() of the
 /// settings

@@ -36,8 +36,8 @@ public:
     void set_number_watcher(NumberWatcher watch);
 
     /// Returns a key of the shader programs that render() would use. Frames with equal keys need the same programs:
-    /// after one of them, the others have nothing to compile. Draws nothing, except the visible depths where a fit of
-    /// the maps needs them.
+    /// after one of them, the others have nothing to compile. Draws nothing, except the visible depths where the fit
+    /// (the rule for what a map covers) needs them.
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
     /// Reads back an RGBA8 image of a frame, top row first.
@@ -66,7 +66,8 @@ public:
     /// @throws Error when the frame has no such output or was overwritten
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
     /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps and
-    /// surface ids that the test needs, and leaves the last frame's picture as it is.
+    /// surface ids (object and triangle of each pixel) that the test needs, and leaves the last frame's picture as it
+    /// is.
     /// @param x, y pixel, row 0 at the top
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 

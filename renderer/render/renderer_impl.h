@@ -35,7 +35,8 @@ struct RendererImpl {
     };
     std::optional<ReducedResolution> reduced_resolution;
 
-    /// Imported shadow maps of the bundle file that map.bundle names, transformed like the scene.
+    /// Imported shadow maps of the bundle (an engine's frame as files) that map.bundle names, transformed like the
+    /// scene.
     struct PlacedBundle {
         std::shared_ptr<const GivenMaps> given;
         glm::dmat4 placement{1};
@@ -52,15 +53,15 @@ struct RendererImpl {
     /// @param f frame that failed
     /// @param why message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
-    /// Derives all values that the passes of a frame read: repaired settings, camera, fitted lights, and the results
-    /// that its outputs need. Draws nothing except the visible depths, where a fit by light.depth_bounds sdsm needs
-    /// them.
+    /// Derives all values that the passes of a frame read: settings repaired to drawable values, camera, fitted lights,
+    /// and the results that the frame's outputs need. Draws nothing except the visible depths, where a fit by
+    /// light.depth_bounds sdsm needs them.
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Derives the values of a frame like prepare_frame(), but measures nothing: uses the visible depths of an earlier
     /// measurement.
     FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Puts the shadow maps of the file in map.bundle into the frame's request, unless the request has imported maps
-    /// already.
+    /// Puts the shadow maps of map.bundle (an engine's frame as files) into the frame's request, unless the request has
+    /// imported maps already.
     /// @throws Error for a bundle that cannot be read
     void take_bundle_maps(FrameState& f);
     /// Draws one frame for Renderer::render(): prepares it, plans its passes and runs them. When memory runs out, tries

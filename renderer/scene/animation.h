@@ -87,7 +87,7 @@ struct Deformer {
 
 /// Poses a scene at a time of one of its animations. Updates node transforms, deformed vertices, bounds, cameras,
 /// lights, and the suggested settings that follow from these. Resets Scene::placement and gives the scene a new id.
-/// Does nothing for a scene without a rig.
+/// Does nothing for a scene without a rig (animations and rest pose).
 /// @param animation index; -1: the rest pose @param time_s seconds; clamped to the first and last key
 /// @throws Error when there is no such animation
 void pose(Scene& scene, int animation, double time_s);
@@ -97,10 +97,10 @@ void pose(Scene& scene, int animation, double time_s);
 /// animation
 void apply_pose(Scene& scene, int animation, double time_s);
 
-/// Computes the bounds of a scene over a whole animation, for light fits that must not change with the pose. Sets
-/// Scene::animation_bounds, and Object::animation_bounds of every object that moves or deforms. Poses a copy of the
-/// scene at all keys and at steps between them, and pads by the curvature of the motion. Does nothing when the bounds
-/// of this animation are known already.
+/// Computes the bounds of a scene over a whole animation, for fitting shadow maps whose area must not change with the
+/// pose. Sets Scene::animation_bounds, and Object::animation_bounds of every object that moves or deforms. Poses a copy
+/// of the scene at all keys and at steps between them, and pads by the curvature of the motion. Does nothing when the
+/// bounds of this animation are known already.
 /// @param animation index; -1 clears the bounds
 void measure_animation_bounds(Scene& scene, int animation);
 

@@ -26,7 +26,7 @@ public:
         rigid_ = true;
     }
 
-    /// Returns true when `mesh` shares all arrays with the remembered mesh and has an equal material; false for a
+    /// Returns true when `mesh` shares all arrays with the mesh of this identity and has an equal material; false for a
     /// deformed mesh.
     bool is(const Scene& scene, const Mesh& mesh) const {
         bool shared = rigid_ && !mesh.deformer && mesh_.indices.shares_storage_with(mesh.indices);
@@ -52,7 +52,7 @@ public:
     TextureIdentity() = default;
     explicit TextureIdentity(const Texture& texture) : texture_(texture), known_(true) {}
 
-    /// Returns true when `texture` shares its pixels with the remembered texture and is sampled in the same way.
+    /// Returns true when `texture` shares its pixels with the texture of this identity and is sampled in the same way.
     bool is(const Texture& texture) const {
         return known_ && texture_.rgba.shares_storage_with(texture.rgba) && how(texture_) == how(texture);
     }

@@ -273,7 +273,7 @@ void place(Scene& scene, const glm::dmat4& placement);
 /// Scene::bounds where nothing lies far off.
 Bounds main_bounds(const Scene& scene);
 
-/// Returns the world-space bounds of a scene that light fits use: those over the whole animation
+/// Returns the world-space bounds of a scene for fitting shadow maps: those over the whole animation
 /// (Scene::animation_bounds) where known, else Scene::bounds.
 Bounds light_fit_bounds(const Scene& scene);
 

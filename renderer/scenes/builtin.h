@@ -18,11 +18,12 @@ struct BuiltinScene {
 /// Returns the table of built-in scenes; the first row is the default scene.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// Returns true when `name` is the key of a built-in scene or the name of a hard case ("hard/grazing"). load_scene()
-/// then reads no file.
+/// Returns true when `name` is the key of a built-in scene or the name of a hard case (a situation in which shadow maps
+/// break), such as "hard/grazing". load_scene() then reads no file.
 bool is_builtin_scene(std::string_view name);
 
-/// Loads a scene: a built-in scene by key, a hard case by name, or a model file by path (importers()).
+/// Loads a scene: a built-in scene by key, a hard case (a situation in which shadow maps break) by name, or a model
+/// file by path (importers()).
 /// @param options the options for files; built-in scenes ignore them and report no progress
 /// @throws Error naming file, place and fix
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});
