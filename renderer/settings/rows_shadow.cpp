@@ -374,8 +374,8 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
      .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
      .help = "Limit of the depth difference along the receiver plane between a texel of the kernel and the look-up. "
-             "The unit is the width of a texel along the light's axis; 0 is no limit. In grazing light the slope of a "
-             "plane grows without bound. Beyond the limit the plane may show acne.",
+             "The limit is a number of texel widths, taken as a distance along the light's axis; 0 is no limit. In "
+             "grazing light the slope of a plane grows without bound. Beyond the limit the plane may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "bias.normal_unit", .min = 0, .max = 100,
      .slider_max = 20,
@@ -486,9 +486,9 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
              "shadow too narrow or ragged.",
      .shader = true},
     {SI_FIELD(filter.thickness), .label = "Thickness", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
-     .help = "Assumed thickness of the surfaces in the map. A ray that passes farther behind a surface continues. Too "
-             "small a thickness lets light leak through solid objects. Too large a thickness widens the shadows of "
-             "thin objects.",
+     .help = "Assumed thickness of the surfaces in the map. A ray through the map that passes farther behind a surface "
+             "continues. Too small a thickness lets light leak through solid objects. Too large a thickness widens the "
+             "shadows of thin objects.",
      .shader = true},
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of the moments up to this many texels away, along x and y. "
