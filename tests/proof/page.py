@@ -27,8 +27,8 @@ Before conversion, scenes have a constant bias of {constant:g} texels and a norm
 """
 
 LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. Red is dark in the engine "
-          "alone, and blue in the program alone. Pale blue is not compared. In the difference, pixels near edges are "
-          "darker than interior pixels.")
+          "alone, and blue in the program alone. Pale blue is not compared. In the difference, pixels near an edge of "
+          "the ray-traced mask are darker than all others.")
 
 
 def percent(share, digits=2):
