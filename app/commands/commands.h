@@ -160,8 +160,8 @@ struct ProbeOptions : CommandOptions {
     std::string pixel;      ///< "X,Y" from the top left
     bool reference = true;  ///< trace rays, for a verdict and fixes
 };
-/// Runs the command `probe`: prints the shadow test of one pixel step by step. With the reference it also prints
-/// whether the pixel is right, and fixes.
+/// Runs the command `probe`: prints the shadow test of one pixel step by step. With the reference it also says whether
+/// the pixel is right, and prints fixes (changes of settings) for a wrong pixel.
 void run_probe(const ProbeOptions& options);
 
 /// Options of the command `list`, which prints one table of the program, such as settings or presets.
@@ -220,7 +220,7 @@ void run_compare_pictures(const ComparePicturesOptions& options);
 /// Options of the command `compare-maps`, which compares shadow maps of another engine with maps that this program
 /// draws. `output` is a picture of the differences, .png.
 struct CompareMapsOptions : CommandOptions {
-    std::optional<int> light;       ///< index of light.*; none: all lights with imported maps
+    std::optional<int> light;       ///< index of the light in the settings light.*; none: all lights with imported maps
     int border_texels = 0;          ///< MapCompareOptions::border_texels
     bool leave_out_masked = false;  ///< MapCompareOptions::leaves_out_masked
     bool check = false;             ///< fail if a map fails the gate (MapGate)

@@ -30,8 +30,9 @@ public:
     /// last frame (Renderer::has_images_of()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                        const EditorRequests& requests);
-    /// Drops the numbers read back from the last frame (probe, loupe, map, overlay), but not those of the frozen
-    /// camera. Call when there is no drawn frame, for example without a scene.
+    /// Drops the numbers read back from the last frame (probe, loupe, map, overlay). Keeps those of the frozen camera,
+    /// to which maps stay fitted while the user moves another one. Call when there is no drawn frame, for example
+    /// without a scene.
     void clear();
     /// Returns true if the next update() will have the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }

@@ -104,8 +104,8 @@ private:
         const Finished* is = nullptr;  ///< measurement; null: the same picture was not measured before
         bool pinned = false;
     };
-    /// Returns the measurement that the present settings are compared with: of the pinned settings, else of other
-    /// settings measured last. Earlier::is is null if there is none.
+    /// Returns the measurement with which that of the present settings is compared: the one of the pinned settings,
+    /// else the latest one of other settings. Earlier::is is null if there is none.
     Earlier earlier(const EditorState& state) const;
     /// Finds differences between the present settings and the shown sweep (measurement of many settings). The panel
     /// Frontier warns of them. Writes facts_.other_settings (settings that differ and that the sweep does not vary) and

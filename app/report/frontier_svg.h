@@ -12,7 +12,8 @@ namespace si {
 /// Options for writing a frontier plot (error against cost) as SVG.
 struct FrontierSvgOptions {
     bool in_page = false;  ///< makes an SVG element for an HTML page; false: a whole SVG file
-    /// Converts PlotCase::of to the number of the case for scripts of the page. Empty: all cases have the number 0.
+    /// Converts the index of a case in the caller's list (PlotCase::of) to the case's number for scripts of the page.
+    /// Empty: all cases have the number 0.
     std::function<std::size_t(std::size_t)> number = {};
 };
 

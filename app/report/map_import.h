@@ -61,8 +61,9 @@ MapImport read_map_import(const std::filesystem::path& image, const std::filesys
 /// @param has_pair true: the light has separate view and projection matrices. The text then has --product, the order in
 /// which they are multiplied.
 std::string convention_options(const Convention& convention, bool has_pair);
-/// Formats axes, mirroring and unit of a light's file (JSON with the light of an imported map) in a few words: "z up, x
-/// mirrored, 0.01" for a unit of 0.01. Returns "the scene's" if they equal the scene's own.
+/// Formats axes, mirroring and length unit of a light's file (JSON with the light of an imported map) in a few words.
+/// Example: "z up, x mirrored, 0.01", where 0.01 is the unit. Returns "the scene's" if all three equal those of the
+/// scene.
 std::string axes_words(const LightAxes& axes);
 
 /// Lists the conventions under which an imported shadow map may be read, the best fit first, for the import dialog.

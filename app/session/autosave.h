@@ -36,8 +36,9 @@ public:
     /// for the next such file.
     void forget_lost();
 
-    /// Writes scene and settings to the autosave file if they have changed since the last write, or at first since the
-    /// editor opened. Writes at most every kSeconds. Call every frame. Never throws: errors go to take_remarks().
+    /// Writes scene and settings to the autosave file if they have changed since the last write; before the first
+    /// write, since the editor opened. Writes at most every kSeconds. Call every frame. Never throws: errors go to
+    /// take_remarks().
     /// @param now_s time of a steady clock, seconds
     void update(const std::string& scene, const Settings& settings, double now_s);
     /// Ends autosave when the editor closes.

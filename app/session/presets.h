@@ -40,9 +40,9 @@ struct BuiltinPreset {
 /// Lists the guided presets embedded in the program. Each has a sentence on what to look at; their order is that of a
 /// lecture.
 std::vector<BuiltinPreset> builtin_presets();
-/// Lists the hard cases (scenes in which shadow maps break) as presets (renderer/scenes/hard_cases.h). Each has a
-/// preset with its fix, and one with its fault if a setting brings the fault back. load_preset() accepts their keys
-/// too.
+/// Lists presets for the hard cases (situations in which shadow maps break, renderer/scenes/hard_cases.h). Every case
+/// has a preset with its fix. A case whose fault a setting can show has a preset with the fault, too. load_preset()
+/// accepts their keys.
 std::vector<BuiltinPreset> hard_case_presets();
 
 }  // namespace si

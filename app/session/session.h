@@ -92,8 +92,8 @@ Session open_session(const SessionOptions& options);
 /// brings along). @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 /// Changes settings by all assignments "KEY=VALUE" of --set, in order. An assignment that changes bias.kind also sets
-/// the starting values of the new kind (bias settings that it brings along). Settings that other assignments name,
-/// before or after it, keep theirs.
+/// the starting values of the new kind (bias settings that it brings along). If another assignment names one of these
+/// settings, before or after, the value of that assignment counts.
 /// @throws UsageError
 void apply_sets(Settings& settings, std::span<const std::string> assignments);
 /// Returns the keys of the settings that assignments "KEY=VALUE" of --set change, with those that a value implies.

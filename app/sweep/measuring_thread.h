@@ -71,7 +71,7 @@ public:
     void wait_for_sweep() const;
 
 private:
-    /// Sweep that waits until the measuring thread begins it.
+    /// Queued sweep, which the measuring thread has not begun yet.
     struct SweepWanted {
         RunningSweep::Inputs inputs;
         std::shared_ptr<const Scene> scene;
@@ -88,8 +88,8 @@ private:
     /// Main loop of the measuring thread: measures pictures and steps of the sweep until `end` is requested.
     /// @param kept time for which the OpenGL context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
-    /// Begins the sweep that waits: opens its journal, and gives the sweep the scene that is loaded already, so that
-    /// its file is not read again. A failure becomes the text Status::sweep_problem.
+    /// Begins the sweep that start_sweep() has queued: opens its journal and passes it the scene that the editor has
+    /// loaded, so that the scene's file is not read again. A failure becomes the text Status::sweep_problem.
     /// @param bench OpenGL context and renderer of the measuring thread
     void begin_sweep(Bench& bench);
     /// Measures the next step of the running sweep and publishes its progress. @param bench OpenGL context and renderer

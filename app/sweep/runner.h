@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Error, cost and encoded pictures of one case (combination of settings) of a sweep, after it was drawn.
+/// Error, cost (texels, draws, triangles) and encoded pictures of one case (combination of settings) of a sweep, after
+/// it was drawn.
 struct DrawnCase : CaseErrorAndCost {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
@@ -23,7 +24,7 @@ struct CaseTimes {
 class CaseMeter {
 public:
     virtual ~CaseMeter() = default;
-    /// Describes the process that measures the cases of a sweep: machine, driver, clock.
+    /// Describes the process that measures the cases of a sweep: machine, driver, and the clock that times passes.
     virtual RunInfo run() = 0;
     /// Draws one case of a sweep and measures its error and cost (texels, draws, triangles). @throws std::exception:
     /// the case has failed
@@ -58,7 +59,8 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// Measures error, cost and pictures of the next case of the sweep. Returns false if no case is left.
+    /// Draws the next case of the sweep, and records its error, its cost (texels, draws, triangles) and its pictures.
+    /// Returns false if no case is left.
     bool step_facts();
     /// Times some frames of the next case in the present round of the sweep. Returns false if all times are precise
     /// enough, or after the last round.
@@ -66,10 +68,11 @@ private:
     /// Begins a round in which every measured case of the sweep is timed once. The order of the cases is reversed from
     /// round to round, so that drift affects early and late cases equally.
     void begin_round();
-    /// Returns the description of this process (machine, driver, clock, kind of timed frames), for the sweep's journal.
+    /// Returns the description of this process for the sweep's journal: machine, driver, clock that times passes, kind
+    /// of timed frames.
     RunInfo this_run() const;
-    /// Writes the description of this process (machine, driver, clock) to the sweep's journal, unless it is there
-    /// already. Called before each result.
+    /// Writes the description of this process (machine, driver, clock that times passes) to the sweep's journal, unless
+    /// it is there already. Called before each result.
     void record_run();
     /// Updates the estimated seconds until the sweep ends, from the durations of its steps so far.
     void estimate();

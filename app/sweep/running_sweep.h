@@ -29,7 +29,8 @@ private:
     CaseSessions& sessions_;
 };
 
-/// Sweep that is measured step by step. It owns the scenes of the cases, the measurer, the journal and the runner.
+/// Sweep that is measured step by step. It owns the scenes of its cases (combinations of settings), the object that
+/// measures them, and the journal of the results.
 class RunningSweep {
 public:
     /// Inputs of a sweep that is to run: scenes of its cases, specification, plan, timing and folder.

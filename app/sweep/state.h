@@ -67,8 +67,8 @@ struct CaseState : CaseErrorAndCost {
 /// has failed or is unfinished. Only error and cost count, since times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
 
-/// Description of a process that measures a sweep: its machine, start, driver and clock. Decides whether times are
-/// comparable.
+/// Description of a process that measures a sweep: its machine, start, driver, and the clock that times passes. Decides
+/// whether times are comparable.
 struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
     std::string machine;      ///< hash that is equal only on the same machine
@@ -101,8 +101,8 @@ struct SweepState {
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
-    /// Adds the content of one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning,
-    /// and std::exception for an unknown or faulty line
+    /// Adds the content of one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning
+    /// for a journal with other definitions of the error metrics; std::exception for an unknown or faulty line
     void apply(const nlohmann::ordered_json& line);
     /// Finds a process that measured cases of the sweep, by the id that the journal gives it; null: unknown.
     const RunInfo* run(const std::string& id) const;
