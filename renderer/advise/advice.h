@@ -21,7 +21,8 @@ struct AdviceRule {
     /// Callback through which an advice rule proposes setting changes, each with a sentence that gives the reason.
     struct Offer {
         std::function<void(std::string sentence, const Change& change, int light)> receive;
-        /// Offers a setting change. @param light index of light.*; negative: AdviceFacts::light
+        /// Offers a setting change. @param light index of the light in the settings light.*; negative:
+        /// AdviceFacts::light
         void operator()(std::string sentence, const Change& change, int light = -1) const {
             receive(std::move(sentence), change, light);
         }

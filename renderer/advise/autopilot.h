@@ -22,9 +22,11 @@ struct AutopilotGoals {
     std::size_t max_combinations = 160;        ///< largest number that is searched whole; above, axes are paired
 };
 
-/// Chooses the settings that the autopilot varies, and the values that it tries, from measurements of the frame. Each
-/// axis is one setting. Its first value is empty and keeps the present setting.
-/// @param max_resolution largest map resolution to try, texels per side; values above 4096 count as 4096
+/// Chooses the settings that the autopilot (search for the best combination of settings) varies, and the values that it
+/// tries, from measurements of the frame. Each axis is one setting. Its first value is empty and keeps the present
+/// setting.
+/// @param max_resolution largest map resolution that the driver supports, texels per side. Resolutions above 4096 are
+/// never tried
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
 /// Removes the values that an engine cannot draw from the axes of a settings search, then the axes without any value.
@@ -32,7 +34,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFact
 /// @param base present settings, in which each value is tested alone
 void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, const Settings& base);
 
-/// One combination of settings that the autopilot tried, with its error and frame time.
+/// One combination of settings that the autopilot (search for the best settings) tried, with its error and frame time.
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;

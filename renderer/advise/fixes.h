@@ -20,7 +20,7 @@ namespace si {
 struct FixFacts {
     std::vector<BiasStart> starts;  ///< rows of the bias table; empty when no pixel needs bias
     std::vector<FittedLight> lights;
-    int light = 0;           ///< index of light.*
+    int light = 0;           ///< index of the light in the settings light.*
     int map_resolution = 0;  ///< texels per side, as drawn
     int max_resolution = 0;  ///< limit of the driver, texels per side
     /// Value of map.resolution at which 95 % of the undersampled pixels would have narrow enough texels; 0: no pixel is
@@ -67,7 +67,7 @@ struct FixTable {
     /// Returns the best fix of this search; null: no tried setting change is a fix.
     const Trial* fix() const;
     /// Returns the trial that puts most wrong pixels of one cause right; null: no trial does. Considers fixes, and
-    /// trials whose unknown frame time alone may keep them from being fixes.
+    /// trials that were not timed but meet all other conditions of a fix.
     const Trial* fix_of(Artefact cause) const;
     /// Returns the number of candidate setting changes whose picture the search has drawn so far.
     std::size_t drawn() const;

@@ -58,7 +58,7 @@ struct BiasStart {
     BiasSettings least;  ///< amounts by theory: strength 1
     /// Returns the bias settings at a multiple (`strength`) of the bias by theory. At 0 all amounts are 0.
     BiasSettings at_strength(double strength) const { return scale_bias(least, strength); }
-    /// Returns true when the row has amounts, so that strengths differ.
+    /// Returns true when this kind of bias has amounts that a strength multiplies.
     bool has_strength() const { return !(at_strength(1) == at_strength(0)); }
 };
 /// Computes for each kind of bias (row of the bias table) the least amounts by theory, from which a search starts.
@@ -134,7 +134,7 @@ FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, st
                           const FoundBiasShown& shown = {});
 
 /// Returns the reason why a light has no bias to search for, such as that it draws no shadow map; empty: it has one.
-/// @param light index of light.*
+/// @param light index of the light in the settings light.*
 std::string reason_without_bias(std::span<const FittedLight> lights, int light);
 
 /// Formats the amounts of bias settings for people: "bias.normal 3.1 texels, bias.constant 0.02 texels". A kind of bias

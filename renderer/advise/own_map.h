@@ -28,9 +28,10 @@ struct OwnMap {
 OwnMap own_map_of(const SearchTools& tools, const Settings& base, const MeasuredSettings& before,
                   const TrialMeter& meter);
 
-/// Draws a candidate on the program's own maps, and compares it with the present settings on the same maps.
-/// Trial::changes are the changes from `base`. Leaves the candidate undrawn if own maps cannot show the change either.
-/// Also leaves it undrawn if the watched pixel is right on the imported map and wrong on the own map, or the reverse.
+/// Draws a candidate (setting change to try) on the program's own maps, and compares it with the present settings on
+/// these maps. Trial::changes are the changes from `base`. Leaves the candidate undrawn if own maps cannot show the
+/// change either. Also leaves it undrawn if the watched pixel is right on the imported map and wrong on the own map, or
+/// the reverse.
 /// @param before measured under `base` @param pixel index of a pixel to watch, top row first
 /// @param needs_causes as in try_candidate()
 Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const OwnMap& own, Candidate candidate,

@@ -76,7 +76,7 @@ struct Candidate;
 /// Functions by which searches draw, measure and time settings. renderer_trial_meter() makes them from a renderer;
 /// tests use a model instead.
 struct TrialMeter {
-    /// Draws a frame and measures the error of one light (index of light.*).
+    /// Draws a frame and measures the error of one light, given by its index in the settings light.*.
     std::function<MeasuredSettings(const Settings&, int light)> measure;
     /// Measures as `measure` does, but finds causes of errors only if the last argument, called with the compared
     /// pixels, returns true (measure_error()). Null: `measure` is used.
@@ -90,7 +90,7 @@ struct TrialMeter {
     std::function<std::uint64_t(const Settings&)> map_bytes = nullptr;
     /// Times frames under one set of settings. Returns the milliseconds per frame.
     std::function<CostChange(const Settings&)> ms = nullptr;
-    /// Draws one frame of a candidate, without a reference. @throws Cancelled
+    /// Draws one frame of a candidate (setting change to try), without a reference. @throws Cancelled
     std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
     std::function<double()> now_s = nullptr;  ///< present time in seconds, by any clock
     /// Times frames of two settings in as few rounds as possible, for a rough result. Uses `time` if time_to_limit is
@@ -113,8 +113,8 @@ struct TrialOptions {
 /// outlive the meter.
 TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options = {});
 
-/// Result of time_alternately(), which draws frames of two kinds alternately: mean time of the first kind, and the
-/// difference.
+/// Result of time_alternately(), which draws frames of two kinds alternately: mean time of the first kind, and the time
+/// that the second kind takes more.
 struct AlternatingTimes {
     double before_ms = 0;  ///< mean of the first kind
     CostChange more;       ///< milliseconds that the second kind takes more
@@ -144,10 +144,10 @@ struct Candidate {
     std::string label = {};      ///< name for people; empty: `name`
     std::string_view rule = {};  ///< AdviceRule::key; empty: a fix
     Claim claim = Claim::Right;
-    int light = 0;                                 ///< light for which the error is measured, index of light.*
+    int light = 0;                                 ///< light whose error is measured: index in the settings light.*
     std::shared_ptr<const Scene> scene = nullptr;  ///< changed scene, read by TrialMeter::draw; null: the frame's own
     std::optional<MapOfLight> emptied = {};        ///< map that TrialMeter::draw leaves empty
-    /// Returns the name of the candidate for people.
+    /// Returns the name of the setting change for people.
     const std::string& shown_name() const { return label.empty() ? name : label; }
 };
 
@@ -177,7 +177,7 @@ struct Trial {
     /// True: the trial was drawn on the program's own maps in place of imported ones. Then `before` and `after` belong
     /// to own maps, too (OwnMap).
     bool on_own_map = false;
-    /// Returns true when the candidate was drawn.
+    /// Returns true when the setting change was drawn.
     bool is_drawn() const { return candidate.untried.empty(); }
     /// Returns the error that the change adds; below 0: the error falls.
     double added_error() const { return after.error - before.error; }

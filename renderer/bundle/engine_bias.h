@@ -10,7 +10,8 @@ namespace si {
 
 struct ImportedMaps;
 
-/// State of knowledge about the bias with which an engine reads its own shadow map, and its source.
+/// State of knowledge about the bias with which an engine reads its own shadow map: known from its bundle or from the
+/// user, changed by the settings, or unknown.
 enum class EngineBias {
     Own,      ///< no engine drew the map: this program draws it
     File,     ///< the settings bias.* are the engine's bias, as its bundle states it

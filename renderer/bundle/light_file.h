@@ -15,9 +15,9 @@ struct LightFile {
     KnownConvention known;    ///< stated conventions; a file never states `product` and `matrix`
 };
 
-/// Parses a light file, which describes the light of an imported map image: an object as in `lights` of frame.json,
-/// with `world` as a further member. The members of a single map may be in the light's object itself. The light's
-/// matrix alone is enough: members that frame.json requires may be missing here.
+/// Parses a light file, which describes the light of an imported map image. It is a JSON object like those in `lights`
+/// of frame.json, but also has frame.json's member `world` (axes and unit). The members of a single map may be in the
+/// light's object itself. The light's matrix alone is enough: members that frame.json requires may be missing here.
 /// @param file name of the file, for messages
 /// @param image_file name that the image gets in the bundle
 /// @throws Error "FILE: PLACE: what is wrong; what to do"

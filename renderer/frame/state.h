@@ -143,7 +143,8 @@ struct FrameState {
     std::vector<const LightMap*> light_map_of_light;
     std::uint64_t reference_content = 0;  ///< cache key of the reference's values in use
     Plan plan;                            ///< see plan_frame()
-    /// Drawn cells of each map layer; look-ups read nothing outside them. Valid once the map passes are planned.
+    /// Cells of a grid over the map (MapCells) that are drawn, for each map layer; look-ups read nothing outside them.
+    /// Valid once the map passes are planned.
     std::vector<MapCells> drawn_cells_by_layer;
     Key maps_extent;                    ///< cache key of drawn_cells_by_layer; valid once the map passes are planned
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; valid once the map passes are planned
@@ -193,13 +194,14 @@ struct FrameState {
     Key lighting_key() const { return surfaces_key().add(lights_key); }
     /// Returns the cache key of visible surfaces, lights and look-ups for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
-    /// Returns the result (image of a pass) that is the picture below overlays and texel quads.
+    /// Returns the result (image of a pass) that is the picture without overlays, and without map texels drawn as
+    /// quads.
     Result base_picture_result() const { return studio ? Result::Creases : Result::Shaded; }
     /// Returns true when a pane's overlay is multiplied by the picture, so that the overlay is dark where the picture
     /// is dark (view.overlay_blend).
     bool tints(const ShownPane& pane) const;
-    /// Returns the result that holds a pane's finished picture: with texel quads, with the overlay, or the shaded
-    /// picture alone.
+    /// Returns the result that holds a pane's finished picture: with map texels drawn as quads, with the overlay, or
+    /// the shaded picture alone.
     ResultRef pane_picture_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's alpha mask may be sampled at a coarser mip level

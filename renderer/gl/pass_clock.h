@@ -26,7 +26,7 @@ std::string_view name(ClockKind kind);
 /// Stopwatch for render passes of the current OpenGL context, used on one thread.
 class PassClock {
 public:
-    /// Draws a known pass to choose the kind of clock. A CPU rasteriser gets Processor. Otherwise Queries is chosen if
+    /// Draws a test pass to choose the kind of clock. A CPU rasteriser gets Processor. Otherwise Queries is chosen if
     /// the query time of the pass is 0.5 to 2 times its wall time, else Wall.
     /// @param cpu_rasteriser true: the driver draws on the CPU
     explicit PassClock(bool cpu_rasteriser);

@@ -60,8 +60,8 @@ struct Sizes {
 };
 
 /// Counts the elements of all top-level arrays of a glTF file.
-/// @throws Error when one of these members is not an array of objects, or when all elements would need more than 512
-/// MiB
+/// @throws Error when such a member of the JSON root is not an array of objects, or when all elements together would
+/// need more than 512 MiB
 Sizes check_arrays(const Context& context, const Json& root);
 
 /// Validates the lengths and URIs that a glTF file states for its buffers, without loading them. Returns the lengths in

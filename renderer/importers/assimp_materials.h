@@ -36,8 +36,8 @@ private:
         int texture = -1;  ///< -1: none
         bool masks = false;
     };
-    /// Returns the first texture of a material with one of the given texture types, tried in order. The path is empty
-    /// if the material has no such texture.
+    /// Returns the first texture of a material with one of the given texture types, tried in order. Named::path is
+    /// empty if the material has no such texture.
     static Named named(const aiMaterial& material, std::initializer_list<aiTextureType> types);
     /// Writes a texture with its image and sampler into the GLB; later calls with equal arguments return the same
     /// texture. Adds a note for an image that cannot be read.

@@ -17,7 +17,7 @@ struct RecordedTap {
 /// Surface point, visibility and fetched texels that the GPU recorded at one pixel for one light. test_light_at_pixel()
 /// explains the pixel from them.
 struct TestedPixel {
-    int light = 0;  ///< index of light.*
+    int light = 0;  ///< index of the light in the settings light.*
     SurfacePoint point;
     bool receives = true;           ///< the surface receives shadows (object.PATH.receive)
     double visibility = 1;          ///< result of the filter, 0 in shadow to 1 lit

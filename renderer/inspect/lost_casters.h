@@ -45,15 +45,13 @@ std::vector<LostCaster> lost_casters_before(const Scene& scene, const std::vecto
                                             const FittedLight& light, const glm::dvec3& point_ws);
 
 /// Returns a sentence that names an object missing from a light's shadow map, the reason, and the setting that fixes
-/// it.
-/// @param light index of light.*
+/// it. @param light index of the light in the settings light.*
 std::string lost_caster_text(const Scene& scene, const LostCaster& lost, int light);
 
 /// Formats a warning for each object that is missing from a light's shadow map, with the setting that fixes it. One
 /// further line counts the objects above the limit.
-/// @param lost objects from lost_casters()
-/// @param light index of light.*
-/// @param max_lines limit of objects that are named
+/// @param lost objects from lost_casters() @param light index of the light in the settings light.* @param max_lines
+/// limit of objects that are named
 std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost, int light,
                                              std::size_t max_lines = 5);
 

@@ -70,8 +70,8 @@ struct MapCompareOptions {
     /// for maps of moments, which are blurred.
     int border_texels = 0;
     bool leaves_out_masked = false;  ///< true: texels that casters with an alpha mask may cover are not compared
-    /// Metres along the axis by which both depths of one surface may differ, besides rounding and slope. For casters
-    /// that the engine moves by normals which the scene does not hold.
+    /// Metres along the axis by which both depths of one surface may differ, besides rounding and slope. Needed for
+    /// casters that the engine moves by normals which the scene does not hold.
     double room_m = 0;
     MapGateLimits limits;  ///< limits within which both maps count as alike
 };
@@ -90,18 +90,18 @@ struct MapComparison {
     std::size_t extra_border = 0;  ///< TexelMatch::Extra in the border (MapCompareOptions::border_texels)
     std::size_t masked = 0;        ///< TexelMatch::Masked
     std::size_t invalid = 0;       ///< texels of the imported map that are NaN or outside [0, 1]; they count as empty
-    /// Texels of `both` where the imported map is nearer to the light than the drawn map in all texels around, beyond
-    /// bias.
+    /// Number of texels with a caster in both maps where the imported map is nearer to the light than the drawn map at
+    /// this texel and all around it, by more than bias explains.
     std::size_t nearer = 0;
-    /// Texels of `both` where the imported map is farther from the light than the drawn map in all texels around,
-    /// beyond bias.
+    /// Number of texels with a caster in both maps where the imported map is farther from the light than the drawn map
+    /// at this texel and all around it, by more than bias explains.
     std::size_t farther = 0;
     TexelBox unexplained;  ///< bounding box of missed and nearer texels, which no caster of the scene explains
     TexelBox lacking;      ///< bounding box of extra and farther texels, where the imported map lacks a caster
     double room_m = 0;     ///< MapCompareOptions::room_m
     double step = 0;       ///< median step of the depth format, depth-buffer units
-    /// Differences over `both`: in steps of the format, in depth-buffer units, in metres along the ray, and in texel
-    /// widths along the axis.
+    /// Differences over the texels with a caster in both maps: in steps of the format, in depth-buffer units, in metres
+    /// along the ray, and in texel widths along the axis.
     DepthDifferences steps, depth, metres, texels;
     MapGate gate;
     std::vector<TexelMatch> match;    ///< by texel, top row first

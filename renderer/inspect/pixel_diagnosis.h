@@ -34,7 +34,7 @@ std::string equivalent_bias_text(const SuggestedFix& fix);
 /// for the pixel. With less bias the surface shadows itself (acne). With more, the occluder's shadow is lost
 /// (peter-panning).
 struct PixelDiagnosis {
-    int light = 0;  ///< index of light.*
+    int light = 0;  ///< index of the light in the settings light.*
     FragmentReference reference;
     DepthShift least;  ///< depth bias that the surface needs
     DepthShift has;    ///< equivalent depth bias of all bias settings

@@ -73,7 +73,7 @@ struct Probe {
     bool may_cast = true;  ///< the object is drawn into maps: see can_cast()
     /// Shadow test of the probed pixel for one light: look-up, compared depths, bias, taps, verdict.
     struct PerLight {
-        int light = 0;  ///< index of light.*
+        int light = 0;  ///< index of the light in the settings light.*
         int face = 0;   ///< cube face or cascade of the look-up; the numbers below belong to its view
         /// Name of the view, such as "cascade 2 of 4", with the other cascade in a blend band; empty for a single view.
         std::string view;
@@ -89,7 +89,8 @@ struct Probe {
         /// Distance from the surface to the stored depth, metres along the light's ray. Above 0: the stored depth is
         /// nearer to the light.
         double gap_m = 0;
-        /// `stored` and `own`, linear in distance: 0 at the near plane, 1 at the far plane.
+        /// Stored depth of the texel and own depth of the surface, linear in distance: 0 at the near plane, 1 at the
+        /// far plane.
         double stored_linear = 0, own_linear = 0;
         double bias_texels = 0;            ///< depth bias, texels
         glm::dvec3 offset_position_ws{0};  ///< surface position after the normal offset
@@ -98,8 +99,8 @@ struct Probe {
         KernelFacts kernel;
         std::vector<KernelTap> taps;             ///< bottom row first, each texel once; empty for moment kernels
         glm::ivec2 taps_first{0}, taps_size{0};  ///< bounding rectangle of the taps, texels
-        /// Texels within kProbeRowReachTexels of `texel`, along u and along v, each with its comparison. Texels outside
-        /// the kernel have weight 0. Empty where the map does not cover the point.
+        /// Texels within kProbeRowReachTexels of the look-up's `texel`, along u and along v, each with its comparison.
+        /// Texels outside the kernel have weight 0. Empty where the map does not cover the point.
         std::array<std::vector<KernelTap>, 2> rows;
         double visibility = 1;   ///< result of the renderer's filter, cascades blended
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m come from the reference

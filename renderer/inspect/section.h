@@ -89,7 +89,8 @@ struct Section {
     bool tested = true;            ///< false: lit or dark without a look-up
     DepthShift least, has, shift;  ///< as in PixelDiagnosis
     /// Ends of the range of right biases, metres from the surface along its light ray (PixelDiagnosis::least and
-    /// occluder). A right bias has `has` at least window_from, and `shift` below window_to.
+    /// occluder). With a right bias, the equivalent depth bias `has` is at least window_from, and the shift towards the
+    /// light `shift` is below window_to.
     double window_from = 0, window_to = std::numeric_limits<double>::infinity();
     bool has_window = false;
     /// Returns true when some depth bias is right for the pixel.

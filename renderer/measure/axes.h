@@ -37,7 +37,8 @@ struct SweepCase {
         starts;  ///< starting values that the case's bias.kind brings along
     Settings settings;
     std::string id;  ///< "key=value key=value": unique within a sweep
-    /// Returns keys and values of all settings that this case of a sweep changes: first `values`, then `starts`.
+    /// Returns keys and values of all settings that this case of a sweep changes: first the varied ones (`values`),
+    /// then starting values of a new bias.kind (`starts`).
     std::vector<std::pair<std::string, std::string>> sets() const;
 };
 

@@ -64,8 +64,8 @@ struct FrontierAdvice {
     std::optional<std::size_t> cheaper;  ///< cheapest point with no larger error, at less cost
     double saved_cost = 0;               ///< present cost minus the cost of `cheaper`
 };
-/// Finds the points of a Pareto frontier that improve on the present settings: the cheapest with less error, and the
-/// cheapest without more error.
+/// Finds two points of a Pareto frontier that improve on the present settings by more than noise. One is the cheapest
+/// point that costs more but has less error. The other is the cheapest point that costs less without more error.
 /// @param present cost and error of the present settings
 /// @param on_frontier for each of `dots`, true when it is on the frontier, as from frontier(dots)
 FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);

@@ -39,7 +39,7 @@ using NeedsCauses = std::function<bool(const MeasuredError& compared)>;
 
 /// Measures a light's shadow error in a frame. Traces the reference (ray-traced shadows) unless `cache` has it, draws
 /// the frame, classifies its pixels and computes the metrics. Call on the renderer's thread.
-/// @param light index of light.*
+/// @param light index of the light in the settings light.*
 /// @param of_pictures true: also draws pictures and computes metrics of them (Metric::of_pictures)
 /// @param needs_causes called once all pixels are compared. If it returns false, causes are not searched for: wrong
 /// pixels keep Artefact::None, ErrorMetrics::without_cause counts them, and metrics that need causes or rays are NaN.

@@ -62,7 +62,8 @@ double time_or_bound(const Spread& time);
 /// Returns the median of `time` divided by the median of `base`; NaN when one of the times is below its noise.
 double time_ratio(const Spread& time, const Spread& base);
 
-/// Computes the statistics of measured shadow times. Leaves ShadowTime::of_base unknown.
+/// Computes the statistics of measured shadow times. ShadowTime::of_base (the time as a multiple of the base case's)
+/// stays NaN; the caller computes it by time_ratio().
 ShadowTime summarise_shadow(const ShadowSamples& samples);
 /// Returns true once the shadow time under a moving light is measured precisely enough. After at least kMinBursts
 /// bursts of frames, half the confidence interval must be within 5 % of the shadow time or 2 % of the frame time.

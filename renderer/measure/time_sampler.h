@@ -76,8 +76,8 @@ inline constexpr int kMinBursts = 3;
 TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below = kSettledSpread);
 
 /// Collector of the pass times of frames under one set of settings, until their median has settled. Frames come in
-/// bursts over a second or more, since a machine's speed drifts more slowly than a few frames. Request the frames by
-/// set_timed_passes(), as cached passes count as 0 ms.
+/// bursts over a second or more, since a machine's speed drifts over longer times than a few frames take. Request the
+/// frames by set_timed_passes(), as cached passes count as 0 ms.
 class TimeSampler {
 public:
     /// Limits of a timing: numbers of frames and bursts, shortest duration, and the interval at which the median has

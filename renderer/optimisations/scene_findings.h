@@ -25,7 +25,8 @@ struct MeshBoxes {
 struct CameraMapReads {
     std::uint64_t key = 0;  ///< cache key of camera and scene
     std::optional<VisibleBodies> bodies;
-    /// Cells of a grid over one light's shadow maps that look-ups read (NeededMaps), with the cache key of the inputs.
+    /// Cells of a grid over one light's shadow maps that look-ups read (NeededMaps). The cache key `key` hashes
+    /// everything that these cells depend on.
     struct LightReads {
         std::uint64_t key = 0;
         NeededMaps needed;

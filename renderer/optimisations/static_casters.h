@@ -70,14 +70,14 @@ private:
     std::uint64_t views_ = 0;                      ///< cache key of the last frame's views
     std::vector<StaticCandidate> last_;            ///< casters of the frame before
     std::vector<StaticCandidate> static_casters_;  ///< casters in the cached map; empty without one
-    /// Sum of triangles drawn since the last refill although static now. The cache is refilled once the sum exceeds the
-    /// cost of a refill.
+    /// Sum of the triangles of stopped casters that were drawn with the moving ones since the last refill of the cache.
+    /// Once the sum exceeds the triangles of a refill, the cache is refilled.
     std::uint64_t drawn_in_vain_ = 0;
 
-    /// Chooses again which casters of a light are static: those that did not move, unless all casters together have
-    /// over kMaxTrianglesPerStatic times as many triangles. Call when a caster in the cached map has moved. Call also
-    /// once drawing stopped casters with the moving ones has taken as much work as refilling the cache. Returns which
-    /// casters the frame draws into the light's map.
+    /// Chooses the static casters of a light again: those that did not move. If all casters together have over
+    /// kMaxTrianglesPerStatic times as many triangles as these, none is static. Call when a caster in the cached map
+    /// has moved. Call also when casters that have stopped, but are still drawn with the moving ones, have taken as
+    /// many triangles as refilling the cache would. Returns which casters the frame draws into the light's map.
     /// @param rested casters with the same content key in the last two frames
     /// @param[out] reason reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);

@@ -52,11 +52,12 @@ public:
     void release_unused();
 
 private:
-    /// Index ranges of the shadow volume of one caster instance: light caps, reversed caps and sides.
+    /// Index ranges of the shadow volume of one caster instance: light caps (ends near the light), light caps that wind
+    /// clockwise seen from outside the volume, and other faces.
     struct Part {
         std::uint32_t instance = 0;  ///< index into SceneGpu's transforms
         std::uint32_t mesh = 0;
-        std::array<std::size_t, 4> first{};  ///< first index: caps, reversed caps, sides, end
+        std::array<std::size_t, 4> first{};  ///< first index: caps, clockwise caps, other faces, end
     };
     /// Stencil shadow volumes of one light, with cache keys of the triangles computed, uploaded and drawn.
     struct Light {
@@ -92,8 +93,10 @@ private:
     /// @param light light index
     /// @param[out] info draw and triangle counts
     void count_volumes(const FrameState& f, std::size_t light, PassInfo& info);
-    /// Draws the caps or sides of a light's shadow volumes into the stencil buffer.
-    /// @param first, last kinds of faces to draw, from `first` to `last`: 0 caps, 1 reversed caps, 2 sides
+    /// Draws the light caps (ends near the light) or the other faces of a light's shadow volumes into the stencil
+    /// buffer.
+    /// @param first, last kinds of faces to draw, from `first` to `last`: 0 light caps, 1 light caps that wind
+    /// clockwise seen from outside the volume, 2 other faces
     /// @param[out] info draw and triangle counts
     void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 

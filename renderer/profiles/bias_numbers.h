@@ -47,11 +47,14 @@ struct BiasNumbers {
 /// @throws Error when the bias is not finite at the reference angle
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
-/// Returns the tangent of the reference angle between surface normal and light (MapFacts::angle_deg).
+/// Returns the tangent of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at
+/// which conversions keep the equivalent depth bias equal.
 double tan_angle(const MapFacts& facts);
-/// Returns the sine of the reference angle between surface normal and light (MapFacts::angle_deg).
+/// Returns the sine of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at which
+/// conversions keep the equivalent depth bias equal.
 double sin_angle(const MapFacts& facts);
-/// Returns the cosine of the reference angle between surface normal and light (MapFacts::angle_deg).
+/// Returns the cosine of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at which
+/// conversions keep the equivalent depth bias equal.
 double cos_angle(const MapFacts& facts);
 
 /// Returns the depth bias in texels that equals a polygon offset on a surface at the reference angle to the light
@@ -76,21 +79,22 @@ public:
     /// Creates a collector that adds values of an engine's parameters (those in `profile`) to `to`.
     EngineOutput(const EngineProfile& profile, WrittenValues& to, const MapFacts& facts)
         : profile_(profile), to_(to), facts_(facts) {}
-    /// Adds the value of an engine parameter, clamped to the range that the engine accepts. Adds a note when clamping
-    /// changes the value.
+    /// Adds the value of an engine parameter to the result (WrittenValues), clamped to the range that the engine
+    /// accepts. Adds a note when clamping changes the value.
     /// @param texels equivalent depth bias of the value
     /// @param literal number that converts this part of the bias alone (ConvertedParameter::literal)
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
-    /// Adds the value of an engine's normal offset parameter, which moves the look-up by its whole length at any angle.
+    /// Adds the value of an engine's normal offset parameter to the result (WrittenValues). Such an offset moves the
+    /// look-up by its whole length at any angle between normal and light.
     /// @param key EngineParameter::key
     /// @param value length in the engine's unit
     /// @param bias bias that is converted
     void put_length_offset(std::string_view key, double value, const BiasNumbers& bias);
-    /// Records in the result that a setting has no counterpart in the engine. Ignores a value of 0, which needs no
-    /// counterpart.
+    /// Records in the result (WrittenValues) that a setting has no counterpart in the engine. Ignores a value of 0,
+    /// which needs no counterpart.
     void miss(std::string_view key, double value, std::string reason);
-    /// Adds a remark, for display, on the conversion to an engine's parameters.
+    /// Adds a remark on the conversion to an engine's parameters to the result (WrittenValues), for display.
     void note(std::string text);
 
 private:

@@ -40,10 +40,9 @@ struct DepthCurve {
     double depth(double z) const;
     /// Returns the distance in metres along the axis at a depth-buffer value `d`; the inverse of depth().
     double distance(double d) const;
-    /// Returns the depth-buffer value at a fraction of the way through the depth range, for maps that store linear
-    /// distances.
-    /// @param share fraction of the way from near to far plane, for reversed depth from far to near; returned unchanged
-    /// outside (0,1)
+    /// Converts a texel of a map that stores linear distances to the depth-buffer value at the same distance.
+    /// @param share texel: fraction of the way from near to far plane, for reversed depth from far to near; returned
+    /// unchanged outside (0,1)
     double depth_at_fraction(double share) const;
     /// Returns the slope of the depth-buffer value at distance z along the axis: |d depth / d z|, per metre. Used to
     /// convert a bias between metres and depth.

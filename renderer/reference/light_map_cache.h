@@ -50,7 +50,7 @@ private:
 
     /// Finds a baked light map in memory; null: none.
     /// @param content light_map_content_key() of the light map
-    /// @param key light_map_key() that the requesting frame expects; becomes LightMap::key
+    /// @param key light_map_key() that the requesting frame expects; the returned map has it as LightMap::key
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
     /// Returns the atlas layout of a task's light map. Reuses the layout of the last call if geometry and size are
     /// equal. Thread-safe.

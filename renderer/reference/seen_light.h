@@ -88,22 +88,22 @@ private:
     /// last row returns `word` itself.
     /// @param word index of a word in a set of bits, one bit a cell
     std::size_t row_below(std::size_t word) const;
-    /// Returns the bits of the left neighbours of the cells of one word, up to 64 cells of a row of the grid. A cell at
-    /// the grid's border gets its own bit in place of a neighbour's.
-    /// @param bits one bit for each cell of the light's grid
+    /// Returns the bits of the left neighbours of the cells of one word: up to 64 cells in a row of the grid over the
+    /// area light. A cell at the grid's border gets its own bit in place of a neighbour's.
+    /// @param bits one bit for each cell of the grid
     /// @param word index of the word
     std::uint64_t left(const Bits& bits, std::size_t word) const;
-    /// Returns the bits of the right neighbours of the cells of one word, up to 64 cells of a row of the grid. A cell
-    /// at the grid's border gets its own bit in place of a neighbour's.
-    /// @param bits one bit for each cell of the light's grid
+    /// Returns the bits of the right neighbours of the cells of one word: up to 64 cells in a row of the grid over the
+    /// area light. A cell at the grid's border gets its own bit in place of a neighbour's.
+    /// @param bits one bit for each cell of the grid
     /// @param word index of the word
     std::uint64_t right(const Bits& bits, std::size_t word) const;
     /// Returns the other half of the larger cell from which a cell of the grid over the area light was halved.
     std::size_t other_half(std::size_t cell) const;
     /// Stores the state of a cell of the grid over the area light: lit, dark, or below the surface's horizon.
     void set(std::size_t cell, Seen seen);
-    /// Converts a set of bits, one for each cell, to the grid with halved cells: both halves of a cell get the cell's
-    /// bit.
+    /// Converts a set of bits, one for each cell of the grid over the area light, to the grid with halved cells. Both
+    /// halves of a cell get the cell's bit.
     void double_cells(Bits& bits);
     /// Marks the cells of the grid over the area light whose state (lit, dark, below the horizon) differs from that of
     /// one of their eight neighbours. Halves of marked cells are sampled.

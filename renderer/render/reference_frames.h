@@ -11,7 +11,7 @@ namespace si {
 /// Collects the input for tracing the ray-traced reference of a frame. Draws the triangle numbers of all pixels, and
 /// takes the scene's geometry from the cache ray_scenes(). Call on the renderer's thread; the task itself may run on
 /// another thread.
-/// @param light index of light.*
+/// @param light index of the light in the settings light.*
 /// @throws Error when there is no such light, or as Renderer::render() does
 ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, int light, const ReferenceOptions& options = {});

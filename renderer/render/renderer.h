@@ -54,16 +54,18 @@ public:
     /// Reads back one shadow map that a light used in a frame: stored depths in [0, 1], top row first.
     /// @param light index of the light
     /// @param face index of a cube face or cascade; 0 for a single map
-    /// @throws Error when the frame has no such map, holds only parts (FrameResult::maps_are_whole), or was overwritten
+    /// @throws Error when the frame has no such map or drew only parts of it (FrameResult::maps_are_whole), or when a
+    /// later frame has overwritten the map
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
     /// Reads back the image that a frame's map viewer shows, top row first: stored depths in [0, 1], or one channel of
     /// the kernel's moments (FrameResult::shown_map).
-    /// @throws Error when the frame has no such image, holds only parts, or was overwritten
+    /// @throws Error when the frame drew no map view or only parts of the map (FrameResult::maps_are_whole), or when a
+    /// later frame has overwritten the image
     FloatImage read_map_view_depth(const FrameResult& frame);
     /// Returns the invalid numbers (NaN, infinite, out of range) found in a frame with Outputs::health; null while the
     /// GPU has not finished the search.
     /// @param wait true: waits for the GPU
-    /// @throws Error when the frame has no such output or was overwritten
+    /// @throws Error when the frame has no such output, or a later frame has overwritten it
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
     /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps and
     /// surface ids (object and triangle of each pixel) that the test needs, and leaves the last frame's picture as it

@@ -12,8 +12,8 @@ namespace si {
 /// @param azimuth_deg,elevation_deg,roll_deg degrees
 glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg);
 
-/// Places a camera so that it looks at the middle of the bounds and the bounds fill the picture. The camera's axes
-/// stay; eye, focus and height change.
+/// Places a camera so that it looks at the middle of the bounds and the bounds fill the picture. Sets the camera's eye,
+/// focus and height, and keeps its axes.
 void frame_bounds(Camera& c, const Bounds& bounds);
 
 /// Returns true when the automatic camera frames a model together with its shadow. It does so for models from files

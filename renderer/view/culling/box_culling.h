@@ -48,13 +48,13 @@ private:
     double texel_;  ///< width of a texel in normalised device coordinates
     /// Planes with values of 0 or more on their inner side: left, right, bottom, top, near, far, and w.
     std::array<glm::dvec4, 7> planes_;
-    /// Smallest and largest value of the equation of a frustum plane over a box.
+    /// Smallest and largest value of the equation of a frustum plane over a box, with a bound of their float rounding.
     struct Span {
         double min, max;
         double slack;  ///< float rounding of the value
     };
     /// Returns the smallest and largest signed distance of a box from a frustum plane (values of the plane's equation),
-    /// with their float rounding.
+    /// and a bound of their float rounding (Span::slack).
     /// @param plane index into `planes_`
     Span span_of(std::size_t plane, const SkewBox& box) const;
 };

@@ -29,10 +29,10 @@ struct SortedBox {
     bool seen = false;  ///< visible; other objects are left out
 };
 
-/// Returns the indices of the visible objects' boxes in drawing order: by group, then front to back. Of two touching
-/// boxes the one with the smaller index stays first, so that the winner between coplanar surfaces does not depend on
-/// the camera. Above 512 boxes distances are quantised, so that objects of one batch (drawn by one draw call) stay
-/// together.
+/// Returns the indices of the visible objects' boxes in drawing order: by draw group (SortedBox::group), and front to
+/// back within a group. Of two touching boxes the one with the smaller index stays first, so that the winner between
+/// coplanar surfaces does not depend on the camera. Above 512 boxes distances are quantised, so that objects of one
+/// batch (drawn by one draw call) stay together.
 /// @param touching touching_boxes() of all boxes, visible or not
 std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching);
 

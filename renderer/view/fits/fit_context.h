@@ -82,8 +82,8 @@ void fit_one_view(FittedLight& light, const FitContext& c);
 /// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
 /// @param view view with its axes set; the third one points to the light
 /// @param points receiver points, world; at least one
-/// @param on_ground receiver points on a ground under a model, world; they widen the map only where they lie outside of
-/// it
+/// @param on_ground receiver points on a ground under a model, world; they change the map's width and height only if
+/// some lie outside a map of `points`
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);

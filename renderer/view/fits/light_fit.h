@@ -37,7 +37,8 @@ double fit_margin_texels(const Settings& settings, int resolution);
 /// @param camera camera of the picture; null: fits that depend on a camera cover the whole scene
 /// @param max_resolution the GL limit on texture size
 /// @param seen_m camera depths of all visible surfaces, measured for light.depth_bounds=sdsm; nullopt: not measured
-/// @param picture_lines height of the picture in pixels, for clip levels
+/// @param picture_lines height of the picture in pixels, for clip levels (virtual maps around the camera, each with
+/// larger texels than the one before)
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution = 16384,
                                   const std::optional<DepthSpan>& seen_m = std::nullopt, int picture_lines = 720);
