@@ -37,8 +37,8 @@ struct ConvertDialog {
     double angle_deg = 45;  ///< reference angle between normal and light
 };
 
-/// Requests of the dialog Convert to the application: save the code, or measure the numbers that its comments state.
-/// These are the reference angle between normal and light, error and time.
+/// Requests of the dialog Convert to the application: save the code, or measure the numbers in the comments of the
+/// code. These are the reference angle between normal and light, error and time.
 struct ConvertRequests {
     std::optional<std::string> save_conversion;  ///< path of the file to write
     bool replace_conversion = false;             ///< a file that exists may be replaced

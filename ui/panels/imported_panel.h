@@ -44,7 +44,7 @@ struct ImportedRequests {
 /// @param left_out texels that the comparison leaves out, which two switches change
 /// @param settings the settings, changed by the widgets of map.bundle_maps, map.bundle_bias and bias.*
 /// @param light the shown light as fitted in the last frame; null: no frame, or no light
-/// @param bias what is known of the bias by which the engine drew the shown light's maps
+/// @param bias state of knowledge about the bias with which the engine reads the shown light's maps
 /// @param selected node path of a selected object, which is highlighted in the list
 void draw_imported(ImportedPicture& picture, ImportedLeftOut& left_out, Settings& settings, const FittedLight* light,
                    EngineBias bias, const std::string& selected, const ImportedFacts& facts,

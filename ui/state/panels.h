@@ -112,7 +112,8 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
 /// that shows A alone.
 void pin_settings(EditorState& state);
 /// Previews settings that a search proposes: shows their picture right of the dividing line (swipe), and the present
-/// picture left of it. Does nothing while the user holds the key that shows only the picture of the pinned settings.
+/// picture left of it. Does nothing while the user holds the key that shows the picture of the pinned settings alone.
+/// Pinned are settings that the user has marked for comparison.
 void show_tried(EditorState& state, const Settings& settings);
 /// Ends the preview of proposed settings that show_tried() began, and restores the earlier picture comparison.
 void hide_tried(EditorState& state);
@@ -129,7 +130,8 @@ void check_prediction(EditorState& state, const EditorFrame& frame, EditorReques
 /// Shows the picture of the pinned settings (A) alone, until end_flicker(). Call when the user presses the key for
 /// this. If no settings are pinned, only logs a message.
 void begin_flicker(EditorState& state);
-/// Ends begin_flicker(): shows the picture of the present settings again, and restores the earlier comparison.
+/// Ends the view of the pinned settings (A) alone, which begin_flicker() began. Shows the picture of the present
+/// settings again, and restores the earlier comparison.
 void end_flicker(EditorState& state);
 
 /// Draws the progress of loading a scene, with a button that cancels it, over the upper part of a picture. Draws

@@ -13,7 +13,7 @@
 
 namespace si {
 
-/// Returns the part after the last slash of a path of a node or a file; the whole path without a slash.
+/// Returns the part after the last slash of a node's or file's path. Returns a path without a slash unchanged.
 std::string last_path_part(const std::string& path);
 
 /// Returns the world bounds of the meshes at the nodes with these paths, without child nodes. Empty if they have no

@@ -32,7 +32,7 @@ private:
         std::function<void(float)> draw;
     };
     /// Moves the cursor behind the last widget of the toolbar. Returns true if a widget of `width` pixels fits there.
-    /// Returns false after any widget was left to the menu.
+    /// Returns false once an earlier widget has moved into the menu at the toolbar's end.
     bool fits(float width);
 
     const char* id_;
