@@ -22,8 +22,8 @@ Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow
 | edges: distance between both edges on the map | at most {max_edge:g} texels, on at least {min_near:.1f} % of the pixels around edges |
 | acne begins: smallest number on a grid of 5 % at which fewer than 0.1 % of a plane's pixels are dark | within 10 % |
 
-A pixel of a tilted plane is dark where its visibility is below {dark:g}. Pixels without a surface, and those with N·L (surface normal and light) below {min_n_dot_l:g}, are not compared. An edge that differs by one pixel counts as equal.
-Before conversion, scenes have a constant bias of {constant:g} texels and a normal offset of {normal:g} texel. Alpha masks of materials are left out, so that leaves are whole rectangles.
+A pixel of a tilted plane is dark where its visibility is below {dark:g}. Pixels without a surface, and those with N·L (surface normal and light) below {min_n_dot_l:g}, are left out when the masks of engine and program are compared. An edge that differs by one pixel counts as equal.
+In the scenes, the engine's numbers are converted from a constant bias of {constant:g} texels and a normal offset of {normal:g} texel. Alpha masks of materials are left out, so that leaves are whole rectangles.
 """
 
 LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. Red is dark in the engine "
