@@ -99,6 +99,19 @@ void require_outputs_not_read(std::span<const fs::path> outputs, std::span<const
                                       input.string()));
 }
 
+void require_bundle_not_read(const fs::path& bundle, std::span<const fs::path> inputs) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(bundle, error);
+    const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
+    for (const fs::path& input : inputs) {
+        const fs::path path = fs::weakly_canonical(input, error);
+        const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+        if (end == folder.end())
+            throw UsageError(fmt::format("{}: {} of this bundle is read; write another one", printable(bundle.string()),
+                                         printable(path.filename().string())));
+    }
+}
+
 void require_output(const fs::path& path, std::string_view what, std::initializer_list<std::string_view> extensions) {
     if (std::ranges::find(extensions, lower_extension(path)) == extensions.end())
         throw UsageError(fmt::format("{}: {} must end in {}", path.string(), what, fmt::join(extensions, " or ")));

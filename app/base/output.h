@@ -34,6 +34,11 @@ struct OutputIsInput : UsageError {
 void require_outputs_not_read(std::span<const std::filesystem::path> outputs,
                               std::span<const std::filesystem::path> inputs);
 
+/// Checks that a bundle to be written contains no file that is read, also through symbolic links. An older bundle is
+/// replaced as a whole, and such a file with it.
+/// @param bundle path of the folder or zip file to write @throws UsageError
+void require_bundle_not_read(const std::filesystem::path& bundle, std::span<const std::filesystem::path> inputs);
+
 /// Checks before long work that a file can be written at `path` and that its extension is one of `extensions`.
 /// @param what name of the file in error messages, such as "the sheet" @throws UsageError for the extension; Error
 void require_output(const std::filesystem::path& path, std::string_view what,

@@ -186,6 +186,7 @@ void run_import_map(const ImportMapOptions& options) {
     const bool reads_scene = !options.scene.empty() && !is_builtin_scene(options.scene);
     if (reads_scene) inputs.emplace_back(options.scene);
     require_outputs_not_read(std::vector<fs::path>{options.output}, inputs);
+    require_bundle_not_read(options.output, inputs);
 
     const MapImport map = read_map_import(image_path, options.light, options.scene, stated_convention(options));
     const ConventionFits& fits = map.fits;

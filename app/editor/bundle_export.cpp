@@ -24,11 +24,13 @@ void BundleExport::start(const Scene& scene, glm::ivec2 size, const std::string&
         return;
     }
     path_ = path;
-    job_.start([shown = std::make_shared<const Scene>(scene), settings = state_.settings, size = glm::max(size, 1),
-                path](const Workers& workers, const auto&) {
+    FrameRequest request{.width = std::max(size.x, 1), .height = std::max(size.y, 1)};
+    if (state_.frozen) request.map_camera = MapCamera{state_.frozen->camera, state_.frozen->seen_m};
+    const auto shown = std::make_shared<const Scene>(scene);
+    job_.start([shown, settings = state_.settings, request, path](const Workers& workers, const auto&) {
         const HeadlessContext context;
         Renderer renderer;
-        const BundleContents contents = frame_bundle(renderer, *shown, settings, {.width = size.x, .height = size.y});
+        const BundleContents contents = frame_bundle(renderer, *shown, settings, request);
         if (workers.stop.stop_requested()) throw Cancelled();
         write_bundle_files(contents, path);
         return export_notes(written_scene(*shown));

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <filesystem>
@@ -11,11 +10,11 @@
 
 #include "app/base/output.h"
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/given_maps.h"
 #include "renderer/bundle/map_image_exr.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/projection/view_of_matrix.h"
 #include "renderer/scene/ground.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -115,7 +114,8 @@ BundleMap map_of(const LightView& view, const Settings& s, const CasterRaster* r
         out.raster.shift_m = view.caster_shift.all_m;
         out.raster.grazing_shift_m = view.caster_shift.grazing_m;
     }
-    out.raster.front = BundleFront::Ccw;
+    // The winding in the map of faces that are counter-clockwise as seen from the light.
+    out.raster.front = is_mirrored(view) ? BundleFront::Cw : BundleFront::Ccw;
     out.raster.depth_clamp = view.clamps_near;
     return out;
 }
@@ -177,9 +177,15 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
                      camera.curve.convention};
     bundle.settings = settings_of_frame(settings);
     if (shown.file_scenes.empty()) bundle.settings["scene.ground"] = "off";  // built-in scenes get no ground
+    const bool for_other_camera = request.map_camera && request.map_camera->camera != camera;
     BundleContents out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
         const FittedLight& light = frame.lights[i];
+        if (light.casts && light.chooser.choice == ViewChoice::Interval && for_other_camera)
+            throw Error(
+                fmt::format("light {}: its cascades are chosen by depth along the frozen camera, and a bundle holds "
+                            "the picture's camera alone; release the frozen camera, or set light.cascade_choice to map",
+                            i));
         bundle.lights.push_back(light_of(light, settings.lights[i], settings,
                                          i < frame.imported.size() ? frame.imported[i].get() : nullptr));
         for (std::size_t v = 0; v < bundle.lights.back().maps.size(); ++v) {
@@ -203,22 +209,13 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
 }
 
 void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings) {
-    namespace fs = std::filesystem;
-    std::vector<StampedFile> read = scene.files;
+    std::vector<std::filesystem::path> read;
+    for (const StampedFile& file : scene.files) read.push_back(file.path);
     if (const std::string& given = settings.map.bundle; !given.empty()) {
         const auto maps = given_maps(given);
-        read.insert(read.end(), maps->files.begin(), maps->files.end());
+        for (const StampedFile& file : maps->files) read.push_back(file.path);
     }
-    std::error_code error;
-    const fs::path whole = fs::weakly_canonical(bundle, error);
-    const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
-    for (const StampedFile& file : read) {
-        const fs::path path = fs::weakly_canonical(file.path, error);
-        const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-        if (end == folder.end())
-            throw UsageError(fmt::format("{}: the frame reads {} of this bundle; write another one", printable(bundle),
-                                         printable(path.filename().string())));
-    }
+    require_bundle_not_read(bundle, read);
 }
 
 }  // namespace si

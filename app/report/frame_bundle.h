@@ -22,7 +22,8 @@ Scene written_scene(const Scene& shown);
 /// Draws a frame and returns the files of its bundle: scene, camera, shadow maps with their matrices, look-up, picture
 /// and settings. The program can read the bundle back as the same frame.
 /// @param shown scene as drawn; written_scene() of it goes into the bundle @param maps file format of the shadow maps
-/// @throws Error if no light has a shadow map, and for virtual maps
+/// @throws Error if no light has a shadow map, for virtual maps, and for cascades that are chosen by depth along
+/// another camera than the picture's (FrameRequest::map_camera)
 BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
                             MapFile maps = MapFile::Pfm);
 

@@ -177,6 +177,7 @@ std::vector<std::string> write_map_import(const MapImport& map, std::size_t inde
     if (!fit.refusal.empty()) throw Error(fit.refusal);
     require_bundle_name(output.string());
     require_outputs_not_read(std::vector<fs::path>{output}, map.inputs);
+    require_bundle_not_read(output, map.inputs);
     Bundle bundle = map.light.bundle;
     BundleLight& own = bundle.lights.front();
     own = with_convention(own, fit.convention);

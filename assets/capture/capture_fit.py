@@ -175,3 +175,9 @@ def light_of(matrix, reversed_, negative_one):
     position = centre[:3] / centre[3]
     axis = matrix[3, :3] / np.linalg.norm(matrix[3, :3])
     return "local", position, axis
+
+
+def is_mirrored(matrix, kind):
+    """Returns whether a light's map is a mirror image, which shows the opposite winding. @param kind see light_of()"""
+    towards = -kind[-1]
+    return bool(np.linalg.det([matrix[0, :3], matrix[1, :3], towards]) < 0)

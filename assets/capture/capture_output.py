@@ -192,18 +192,21 @@ def maps_of(capture, candidate, part, number, folder, maps, gates, scene, notes,
             own_image = dict(own_image, file=file, format="f32", channels=1)
             stored = {"stored": "depth"}
     first = part.draws[0].state
+    kind = fit.light_of(part.matrix, reversed_, part.state.negative_one)
     entry = {
         "image": own_image, "clip_from_world": bundle.columns(part.matrix),
         "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_,
                   "format": depth_format(name), **stored},
         "raster": {"offset_factor": first.factor, "offset_units": first.units, "offset_clamp": first.clamp,
-                   "cull": most_common([d.state.cull for d in part.draws]), "front": "ccw",
+                   "cull": most_common([d.state.cull for d in part.draws]),
+                   # The scene has the winding of glTF, which a mirrored map turns around.
+                   "front": "cw" if fit.is_mirrored(part.matrix, kind) else "ccw",
                    "depth_clamp": bool(first.depth_clamp)},
         "drawn": sorted(set(drawn)),
         "extras": {"gate": number, "matrix": part.method, "front_in_engine": "ccw" if first.front_ccw else "cw"},
     }
-    maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
-                 "texture": candidate.texture, "slice": part.slice, "candidate": candidate, "matrix": part.matrix,
+    maps.append({"map": entry, "kind": kind, "texture": candidate.texture, "slice": part.slice,
+                 "candidate": candidate, "matrix": part.matrix,
                  "viewport": part.viewport, "region": (x, y, w, h), "negative_one": part.state.negative_one,
                  "part": part, "is_empty": numbers["captured_texels"] == 0})
 

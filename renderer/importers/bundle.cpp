@@ -17,6 +17,7 @@
 #include "renderer/bundle/height_field.h"
 #include "renderer/projection/camera_of_matrix.h"
 #include "renderer/scene/scene_lights.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -168,9 +169,10 @@ void suggest_map_settings(const Bundle& b, const GivenMaps& maps, Suggestions& t
 }
 
 /// Suggests that casters of double-sided materials keep both faces, as engines draw them, where maps cull others.
+/// Settings of the bundle that state the culling, as those of exported frames do, count instead.
 void suggest_double_sided(const Bundle& b, const Scene& scene, Suggestions& to) {
     const auto culls = [](const BundleMap& map) { return map.raster.cull && *map.raster.cull != Cull::None; };
-    if (!b.settings.empty() ||
+    if (b.settings.contains("caster.cull") ||
         std::ranges::none_of(b.lights, [&](const BundleLight& l) { return std::ranges::any_of(l.maps, culls); }))
         return;
     for (const Object& object : scene.objects) {
@@ -213,6 +215,21 @@ void suggest_bias(const BundleBias& bias, const std::string& place, bool in_sett
                         place, fmt::join(unknown, ", "), unknown.size() == 1 ? "is" : "are"));
 }
 
+/// Suggests that a comparison blends 2x2 texels, or takes one, as the engine's sampler does.
+/// @param linear the sampler's filter is linear @param kernel key of the kernel, valid; nullopt: unknown
+void suggest_filter(bool linear, const std::optional<std::string>& kernel, Suggestions& to) {
+    to.add("filter.bilinear", linear ? "true" : "false");
+    to.add("filter.point", linear ? "false" : "true");
+    if (!kernel) return;
+    // Kernels of one comparison have no setting for that: each is a row of the table.
+    const auto is_single = [](const Filter& row) { return row.square() && row.size == 1; };
+    Settings chosen;
+    set_setting(chosen, "filter.kernel", *kernel);
+    if (!is_single(filter_of(chosen)) || filter_of(chosen).bilinear == linear) return;
+    for (const Filter& row : filters())
+        if (is_single(row) && row.bilinear == linear) return to.add("filter.kernel", std::string(row.key));
+}
+
 void suggest_lookup(const Bundle& b, Suggestions& to) {
     const auto first =
         std::size_t(std::ranges::find_if(b.lights, [](const BundleLight& light) { return !light.maps.empty(); }) -
@@ -228,6 +245,7 @@ void suggest_lookup(const Bundle& b, Suggestions& to) {
         to.require(place + ".kernel", "filter.kernel", *l.kernel);
     else
         to.warn(place + ".kernel: the kernel is unknown; choose the nearest at filter.kernel");
+    if (l.filter) suggest_filter(*l.filter == BundleFilter::Linear, l.kernel, to);
     if (l.compare) {
         const bool greater = *l.compare == BundleCompare::Greater || *l.compare == BundleCompare::GreaterEqual;
         const bool equal = *l.compare == BundleCompare::LessEqual || *l.compare == BundleCompare::GreaterEqual;

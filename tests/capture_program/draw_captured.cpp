@@ -54,6 +54,7 @@ struct Variant {
     bool relative = false;        ///< matrices are relative to the camera
     bool block = false;           ///< matrices are in a uniform block, the world first
     bool clockwise = false;       ///< front faces are clockwise, and so are the meshes
+    bool mirrored = false;        ///< matrices of maps are flipped in y, as engines for Vulkan do
     vec3 step = vec3(0);          ///< way of all objects but the ground from the frame before to the captured one
 };
 
@@ -75,6 +76,7 @@ const Variant kVariants[] = {
     {.name = "atlas", .sun = true, .spot = true, .storage = Storage::kAtlas, .step = vec3(0.7f, 0, 0.4f)},
     {.name = "front-culling", .sun = true, .cull = GL_FRONT},
     {.name = "clockwise", .sun = true, .clockwise = true},
+    {.name = "mirrored", .sun = true, .format = GL_DEPTH_COMPONENT16, .mirrored = true},
     {.name = "one-matrix", .sun = true, .one_matrix = true},
     {.name = "one-matrix-spot", .spot = true, .one_matrix = true},
     {.name = "no-compare", .sun = true, .compares = false},
@@ -403,6 +405,8 @@ public:
                                  glm::lookAt(position, position + direction, vec3(0, 1, 0))});
         }
         if (v_.point) add_point_light(from + vec3(0.25f, 1.9f, 0.1f));
+        if (v_.mirrored)
+            for (Map& map : maps_) map.clip_from_world = glm::scale(mat4(1), vec3(1, -1, 1)) * map.clip_from_world;
     }
 
     void prepare() {
@@ -460,7 +464,7 @@ public:
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(v_.reversed ? GL_GREATER : GL_LESS);
         glClearDepth(v_.reversed ? 0 : 1);
-        glFrontFace(v_.clockwise ? GL_CW : GL_CCW);
+        glFrontFace(v_.clockwise != v_.mirrored ? GL_CW : GL_CCW);
         draw_maps();
         glDisable(GL_CULL_FACE);
         glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_);
@@ -521,7 +525,8 @@ public:
                  {"cull", v_.cull == GL_BACK    ? "back"
                           : v_.cull == GL_FRONT ? "front"
                                                 : "none"},
-                 {"front", v_.clockwise ? "cw" : "ccw"},
+                 {"front", v_.clockwise != v_.mirrored ? "cw" : "ccw"},
+                 {"mirrored", v_.mirrored},
                  {"depth_clamp", v_.depth_clamp},
                  {"compare",
                   v_.compares && v_.holds == Holds::kDepth ? (v_.reversed ? "greater-equal" : "less-equal") : ""},

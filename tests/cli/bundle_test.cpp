@@ -288,7 +288,7 @@ TEST(BundleCommand, ExportRefusesBadNamesAndInputs) {
     expect_error("export boxes --bundle out.glb", 2, "ends in .bundle (a folder) or .zip", folder);
     expect_error("export boxes", 2, "-o FILE or --bundle BUNDLE", folder);
     expect_error("export boxes -o a.glb --bundle b.zip", 2, "--bundle", folder);
-    expect_error("export out.bundle --bundle out.bundle", 2, "out.bundle", folder);
+    expect_error("export out.bundle --bundle out.bundle", 2, "of this bundle is read; write another one", folder);
     expect_error("export boxes --bundle none/out.zip", 1, "none", folder);
     expect_error("export boxes --set light.cast=false --bundle a.zip", 1, "no light has a shadow map", folder);
     expect_error("export boxes --set map.virtual=true --bundle a.zip", 1, "map.virtual", folder);

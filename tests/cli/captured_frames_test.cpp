@@ -176,6 +176,7 @@ const CapturedCase kCaptured[] = {
     {"atlas"},
     {"front-culling"},
     {"clockwise"},
+    {"mirrored"},
     {"one-matrix", false, true},
     {"one-matrix-spot", false, true},
     {"no-compare"},
@@ -273,6 +274,7 @@ TEST_P(CapturedFrame, HasTheKnownMapsMatricesAndStates) {
         EXPECT_EQ(map["depth"]["reversed"], known["reversed"]);
         const Json& raster = map["raster"];
         EXPECT_EQ(raster["cull"], known["cull"]);
+        EXPECT_EQ(raster["front"], known["mirrored"].get<bool>() ? "cw" : "ccw");
         EXPECT_EQ(raster["depth_clamp"], known["depth_clamp"]);
         EXPECT_EQ(raster["offset_factor"], known["offset_factor"]);
         // Zink asks Vulkan for two units where OpenGL says one.
@@ -293,6 +295,10 @@ TEST_P(CapturedFrame, HasTheKnownMapsMatricesAndStates) {
         ASSERT_TRUE(difference);
         // Integers become floats in two ways.
         EXPECT_LE(*difference, 6e-8);
+    }
+    if (c.variant == std::string("mirrored")) {
+        const ProcessResult compared = run_program("compare-maps a.bundle --check", folder);
+        EXPECT_EQ(compared.code, 0) << compared.out << compared.err;
     }
 }
 

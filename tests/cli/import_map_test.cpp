@@ -175,6 +175,24 @@ TEST_F(ImportMap, RawTexelsNeedTheirLayout) {
     expect_error(command, 1, "channel 1 is read", folder_);
 }
 
+TEST_F(ImportMap, RefusesAnOutputThatHoldsTheInput) {
+    const ProcessResult made =
+        run_program("export boxes --size 64x64 --set map.resolution=256 --bundle f.bundle", folder_);
+    ASSERT_EQ(made.code, 0) << made.err;
+    draw("map.pfm", {});
+    std::filesystem::create_directory_symlink("f.bundle", folder_ / "link");
+    const std::string before = file_bytes(folder_ / "f.bundle/frame.json");
+    for (const char* image : {"f.bundle/maps/light0-0.pfm", "link/maps/light0-0.pfm"})
+        for (const char* output : {"f.bundle", "f.bundle/"})
+            expect_error(Words{"import-map", image, "--light", "light.json", "--scene", "boxes", "-o", output}, 2,
+                         "light0-0.pfm of this bundle is read; write another one", folder_);
+    expect_error("import-map map.pfm --light light.json --scene f.bundle/scene.glb -o f.bundle", 2,
+                 "scene.glb of this bundle is read; write another one", folder_);
+    EXPECT_EQ(file_bytes(folder_ / "f.bundle/frame.json"), before);
+    for (const char* file : {"scene.glb", "picture.png", "maps/light0-0.pfm"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "f.bundle" / file)) << file;
+}
+
 TEST_F(ImportMap, BadInputEndsInOneSentenceAndWritesNothing) {
     draw("map.pfm", {});
     std::ofstream(folder_ / "text.exr") << "no image";

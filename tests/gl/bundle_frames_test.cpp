@@ -12,8 +12,11 @@
 #include "app/report/probe_json.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
+#include "renderer/bundle/bundle_json.h"
+#include "renderer/bundle/given_maps.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/measure.h"
+#include "renderer/projection/view_of_matrix.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 #include "tests/support/traits.h"
@@ -161,6 +164,42 @@ TEST_F(BundleFramesTest, TheSettingChoosesMapsAndRemovesThem) {
     EXPECT_THROW(renderer.render(own.scene, s, request), Error);
     set_setting(s, "light.source", "none");
     EXPECT_NO_THROW(renderer.render(own.scene, s, request)) << "no light reads a map";
+}
+
+// A projection that is flipped in y, as engines for Vulkan have it, gives a mirrored map with clockwise front faces.
+TEST_F(BundleFramesTest, CopiesOfMirroredMapsCullTheSameFaces) {
+    const Session own = open("boxes", {"map.resolution=128", "caster.cull=back"});
+    BundleContents files = frame_bundle(renderer, own.scene, own.settings, {.width = kWidth, .height = kHeight});
+    const std::string frame_json(kFrameJson);
+    Bundle bundle = parse_bundle(files.at(frame_json), frame_json);
+    BundleMap& map = bundle.lights.at(0).maps.at(0);
+    EXPECT_EQ(map.raster.front, BundleFront::Ccw);
+    glm::dmat4 flip(1.0);
+    flip[1][1] = -1;
+    map.clip.projection = flip * map.clip.projection.value();
+    map.image.first_row = FirstRow::Top;
+    map.raster.front = BundleFront::Cw;
+    files[frame_json] = format_bundle(bundle);
+    write_bundle_files(files, folder / "mirrored.bundle");
+    const Session mirrored = open((folder / "mirrored.bundle").string());
+    const Session copy = exported(mirrored, "copy.bundle");
+    for (const Session* session : {&mirrored, &copy}) {
+        const auto maps = given_maps(session->settings.map.bundle)->lights.at(0);
+        EXPECT_TRUE(is_mirrored(maps->views->views.at(0)));
+        EXPECT_EQ(maps->raster.at(0).cull, Cull::Back);
+    }
+    const auto drawn = [&](const Session& session) {
+        Settings s = session.settings;
+        s.map.bundle_maps = BundleMaps::Drawn;
+        return map_texels(renderer, renderer.render(session.scene, s, small_request({.shadow_map = true})));
+    };
+    EXPECT_EQ(differing_floats(drawn(mirrored), drawn(copy)), 0u);
+}
+
+TEST_F(BundleFramesTest, ExportedFramesStateTheCullingEvenByDefault) {
+    const Session read = exported(open("boxes", {"map.resolution=64"}));
+    const auto maps = given_maps(read.settings.map.bundle);
+    EXPECT_EQ(maps->bundle.settings.at("caster.cull"), "none");
 }
 
 // The maps follow a scene that is placed elsewhere.

@@ -15,10 +15,12 @@
 #include <vector>
 
 #include "app/editor/persistence.h"
+#include "renderer/settings/param.h"
 #include "tests/support/process.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/scene_view/camera_steering.h"
 #include "ui/state/scene_choices.h"
 #include "ui/widgets/free_name.h"
 
@@ -125,6 +127,35 @@ std::map<std::string, std::string> contents_of(const fs::path& bundle) {
     for (const auto& entry : fs::recursive_directory_iterator(bundle))
         if (entry.is_regular_file()) out[entry.path().lexically_relative(bundle).string()] = file_bytes(entry.path());
     return out;
+}
+
+SI_TEST_IS(Later, FrameImports, ExportWritesMapsOfTheFrozenCamera);
+TEST_F(FrameImports, ExportWritesMapsOfTheFrozenCamera) {
+    const fs::path own = folder_ / "own.bundle", flown = folder_ / "flown.bundle", cascades = folder_ / "three.bundle";
+    Settings& settings = state().settings;
+    set_setting(settings, "light.fit", "view");
+    editor().settle();
+    state().frozen = frozen_camera_of(*editor().facts().result, settings.camera);
+    export_to(own);
+    settings.camera.source = CameraSource::Manual;
+    settings.camera.distance = 9;
+    settings.camera.azimuth += 120;
+    editor().settle();
+    export_to(flown);
+    EXPECT_EQ(state().log.unseen_errors(), 0) << editor().last_line();
+    ASSERT_TRUE(fs::exists(own) && fs::exists(flown));
+    const auto a = contents_of(own), b = contents_of(flown);
+    EXPECT_TRUE(a.at("picture.png") != b.at("picture.png")) << "the camera has not moved";
+    EXPECT_TRUE(a.at("maps/light0-0.pfm") == b.at("maps/light0-0.pfm")) << "the maps differ";
+    EXPECT_EQ(Json::parse(a.at("frame.json")).at("lights"), Json::parse(b.at("frame.json")).at("lights"));
+
+    set_setting(settings, "light.cascades", "3");
+    export_to(cascades);
+    EXPECT_NE(logged("chosen by depth along the frozen camera", LogKind::Error), "") << editor().last_line();
+    EXPECT_FALSE(fs::exists(cascades));
+    set_setting(settings, "light.cascade_choice", "map");
+    export_to(cascades);
+    EXPECT_TRUE(fs::exists(cascades)) << editor().last_line();
 }
 
 TEST_F(FrameImports, ExportWritesTheBundleOfTheCommand) {

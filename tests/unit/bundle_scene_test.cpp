@@ -9,6 +9,7 @@
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/importers/importers.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "tests/support/error_text.h"
 #include "tests/support/process.h"
@@ -144,6 +145,26 @@ TEST_F(BundleSceneTest, UnknownLookUpIsSaid) {
     EXPECT_TRUE(warns(scene, "kernel is unknown"));
 }
 
+TEST_F(BundleSceneTest, TheFilterOfTheSamplerBlendsTexelsOrTakesOne) {
+    const struct {
+        const char *kernel, *filter, *chosen;
+        bool bilinear;
+    } cases[] = {
+        {"pcf3", "linear", "pcf", true},      {"pcf3", "nearest", "pcf", false},   {"vogel", "linear", "vogel", true},
+        {"vogel", "nearest", "vogel", false}, {"hard", "linear", "hw2x2", true},   {"hard", "nearest", "hard", false},
+        {"hw2x2", "linear", "hw2x2", true},   {"hw2x2", "nearest", "hard", false},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(std::string(c.kernel) + " " + c.filter);
+        json["lights"][0]["lookup"] = {{"kernel", c.kernel}, {"filter", c.filter}};
+        const Settings s = base_settings(load());
+        EXPECT_EQ(filter_of(s).key, c.chosen);
+        EXPECT_EQ(is_bilinear(filter_of(s), s), c.bilinear);
+    }
+    json["lights"][0]["lookup"] = {{"filter", "linear"}};
+    EXPECT_TRUE(base_settings(load()).filter.bilinear) << "with an unknown kernel, too";
+}
+
 TEST_F(BundleSceneTest, TheCameraIsTheFirstOfTheScene) {
     const glm::dmat4 projection = glm::perspective(0.8, 2.0, 10.0, 10000.0);
     const glm::dmat4 view = glm::translate(glm::dmat4(1), {-100, -200, -300});
@@ -184,6 +205,24 @@ TEST_F(BundleSceneTest, DoubleSidedCastersKeepBothFaces) {
         EXPECT_EQ(settings.caster.cull, Cull::Front);
         EXPECT_EQ(object_settings(scene, settings, scene.objects[0]).cull,
                   double_sided ? ObjectCull::None : ObjectCull::Inherit);
+    }
+}
+
+TEST_F(BundleSceneTest, OnlySettingsOfTheCullingDecideOnDoubleSidedCasters) {
+    Json model = Json::parse(triangle("../data/tree.bin"));
+    model["meshes"][0]["primitives"][0]["material"] = 0;
+    model["materials"] = {{{"doubleSided", true}}};
+    for (const bool states_culling : {false, true}) {
+        json["settings"] = {{"filter.taps", "16"}};
+        if (states_culling) json["settings"]["caster.cull"] = "front";
+        BundleContents files = contents();
+        files["models/tree.gltf"] = model.dump();
+        write_bundle_files(files, folder / "a.bundle");
+        const Scene scene = load_scene((folder / "a.bundle").string());
+        const Settings settings = base_settings(scene);
+        EXPECT_EQ(settings.caster.cull, Cull::Front);
+        EXPECT_EQ(object_settings(scene, settings, scene.objects[0]).cull,
+                  states_culling ? ObjectCull::Inherit : ObjectCull::None);
     }
 }
 
