@@ -13,6 +13,7 @@
 #include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
+#include "app/session/engine_session.h"
 #include "app/session/setting_json.h"
 #include "renderer/advise/tuning.h"
 #include "renderer/base/error.h"
@@ -118,9 +119,9 @@ void print_tuned(const Tuned& tuned) {
                                   : "outside the limits");
 }
 
-/// Returns the numbers of an engine's bias for settings.
-Json engine_numbers_json(const EngineWording& engine, const Settings& settings) {
-    const WrittenValues written = write_engine_values(*engine.profile, settings, engine.facts);
+/// Returns the numbers of an engine's bias for settings and the map that they give.
+Json engine_numbers_json(const EngineProfile& profile, const Settings& settings, const MapFacts& facts) {
+    const WrittenValues written = write_engine_values(profile, settings, facts);
     Json numbers = Json::object();
     for (const ConvertedParameter& p : written.parameters) {
         if (!p.parameter->is_bias) continue;
@@ -128,19 +129,21 @@ Json engine_numbers_json(const EngineWording& engine, const Settings& settings) 
         number["note"] = p.note;
         numbers[std::string(p.parameter->key)] = std::move(number);
     }
-    return {{"profile", engine.profile->name},        {"unverified", engine.profile->unverified},
-            {"width_m", engine.facts.width_m},        {"texels", engine.facts.texels},
-            {"depth_m", engine.facts.depth_m},        {"angle_deg", engine.facts.angle_deg},
-            {"hidden_texels", written.hidden_texels}, {"parameters", numbers}};
+    return {{"profile", profile.name},
+            {"unverified", profile.unverified},
+            {"width_m", facts.width_m},
+            {"texels", facts.texels},
+            {"depth_m", facts.depth_m},
+            {"angle_deg", facts.angle_deg},
+            {"hidden_texels", written.hidden_texels},
+            {"parameters", numbers}};
 }
 
-/// Prints the numbers of an engine's bias for settings.
-void print_engine_numbers(const EngineWording& engine, const Settings& settings) {
-    if (!engine.profile) return;
-    fmt::print("in {}, for a map of {:.4g} m, {} texels and {:.4g} m of depth, at {:g} degrees:\n",
-               engine.profile->title, engine.facts.width_m, engine.facts.texels, engine.facts.depth_m,
-               engine.facts.angle_deg);
-    for (const ConvertedParameter& p : write_engine_values(*engine.profile, settings, engine.facts).parameters)
+/// Prints the numbers of an engine's bias for settings and the map that they give.
+void print_engine_numbers(const EngineProfile& profile, const Settings& settings, const MapFacts& facts) {
+    fmt::print("in {}, for a map of {:.4g} m, {} texels and {:.4g} m of depth, at {:g} degrees:\n", profile.title,
+               facts.width_m, facts.texels, facts.depth_m, facts.angle_deg);
+    for (const ConvertedParameter& p : write_engine_values(profile, settings, facts).parameters)
         if (p.parameter->is_bias)
             fmt::print("  {} = {:.6g} {} ({:.3g} texels, {:.3g} m{}{})\n", p.parameter->key, p.value, p.parameter->unit,
                        p.texels, p.metres, p.exactness == Exactness::Exact ? "" : "; at this angle only",
@@ -187,16 +190,22 @@ void run_tune(const TuneOptions& options) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     Settings after = session.settings;
     if (tuned.result) apply_tuning(after, *tuned.result);
+    MapFacts facts;
+    if (engine.profile) {
+        // Resolution and normal offset have changed, and the map with them.
+        facts = map_facts(session.scene, after);
+        facts.angle_deg = engine.facts.angle_deg;
+    }
     const std::string clock = goals.any() ? renderer.driver().clock : std::string();
     if (options.json) {
         Json json = tuned_json(tuned, goals, session.settings, after, seconds);
-        if (engine.profile) json["engine"] = engine_numbers_json(engine, after);
+        if (engine.profile) json["engine"] = engine_numbers_json(*engine.profile, after, facts);
         json["clock"] = clock.empty() ? Json() : Json(clock);
         fmt::print("{}", json_text(json));
     } else {
         print_tuned(tuned);
         fmt::print("{}\n", tuned.summary);
-        if (tuned.result) print_engine_numbers(engine, after);
+        if (tuned.result && engine.profile) print_engine_numbers(*engine.profile, after, facts);
         if (!clock.empty()) fmt::print("times by {}\n", clock);
     }
     // A picture without lit pixels needs no bias, so that there is nothing to find.

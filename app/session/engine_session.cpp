@@ -160,8 +160,15 @@ std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& 
         for (const std::string& assignment : sets) apply_set(settings, assignment);
         apply_forced_settings(profile, settings);
     };
-    set_read(engine, values, facts, false, settings, &notes);
-    reset_own();
+    // Cascades share the map of some engines: the second round has the number of cascades that the first gave.
+    const int rounds = profile.cascades_share_map ? 2 : 1;
+    for (int round = 0; round < rounds; ++round) {
+        const MapFacts drawn = map_facts(scene, settings);
+        facts.cascades = drawn.cascades;
+        facts.light = drawn.light;
+        set_read(engine, values, facts, false, settings, round + 1 == rounds ? &notes : nullptr);
+        reset_own();
+    }
     if (reads_bias) {
         // A normal offset widens the margin of a fit, and so the map: the second round has the width that is drawn.
         constexpr int kRounds = 2;

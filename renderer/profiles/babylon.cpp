@@ -129,7 +129,8 @@ void write_babylon(const BiasNumbers& bias, const EngineValues& values, const Ma
     const double metres = quotient(bias.normal_texels * facts.texel_m(), sin_angle(facts));
     to.put("normalBias", metres,
            bias.normal_texels == 0 || bias.settings_by == OffsetBy::Sine ? Exactness::Exact : Exactness::EqualAtAngle,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), metres);
+           metres / facts.texel_m() * offset_equivalent(OffsetBy::Sine, facts.angle_deg), metres,
+           metres == 0 && bias.normal_texels > 0 ? std::string(kNoBiasAtAngle) : std::string());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Bias in the terms that all engines share: constant, normal offset and polygon offset, in texels. Inside of profiles/
-// only.
+// Bias in the terms that all engines share: constant, normal offset and polygon offset, in texels. For profiles/, and
+// for the head of converted code.
 #pragma once
 
 #include <string>
@@ -65,6 +65,10 @@ double raster_equivalent(double slope, double units, const MapFacts& facts);
 
 /// Returns a / b, or 0 where b is so small that it is a rounding error of zero.
 double quotient(double a, double b);
+
+/// Remark on a number of the engine that gives no bias at the reference angle: a slope at 0 degrees.
+inline constexpr std::string_view kNoBiasAtAngle =
+    "without effect at this reference angle, so that no number gives the bias; choose a larger angle";
 
 /// Returns the less exact of two degrees of exactness.
 Exactness least_exact(Exactness a, Exactness b);

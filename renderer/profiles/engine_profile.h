@@ -23,9 +23,11 @@ struct MapFacts {
     double view_fov_deg = 90;  ///< horizontal field of view of the camera, for such parameters
     MapFormat format = MapFormat::D32F;
     bool reversed_z = false;
+    int light = 0;  ///< light of the map, whose settings light.* are converted
 
     /// Returns the texel size, metres.
     double texel_m() const { return width_m / texels; }
+    bool operator==(const MapFacts&) const = default;
 };
 
 /// Checks the facts of a shadow map before engine parameters are converted.
@@ -182,7 +184,7 @@ std::vector<ConvertedSetting> read_engine_values(const EngineProfile& profile, c
 /// Converts this program's settings into parameters of the engine. The equivalent depth bias at the reference angle
 /// stays equal, with the bias that the engine adds by itself. Numbers are not lowered below 0 to make up for that bias.
 /// Bias from apply_forced_settings() counts like any other bias in `settings`.
-/// @param facts `format` and `reversed_z` are ignored: `settings` give them
+/// @param facts `format`, `reversed_z` and `light` are ignored: `settings` give them
 /// @param kept values of engine parameters that no setting gives, such as a project's console variables
 /// @throws Error as read_engine_values()
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,

@@ -38,11 +38,25 @@ std::string_view first_alternative(std::string_view choice) {
     return choice.substr(0, choice.find('|'));
 }
 
+/// Returns the setting with a key; for a setting of lights, that of the light which view.light selects.
+std::optional<SettingRef> shown_setting(const Settings& settings, std::string_view key) {
+    std::optional<SettingRef> ref = find_setting(key);
+    if (ref && ref->param->scope == Scope::Light) ref->light = std::clamp(settings.view.light, 0, kMaxLights - 1);
+    return ref;
+}
+
+/// Returns the key of a setting; for a setting of lights, that of the map's light.
+std::string key_for_map(std::string_view key, const MapFacts& facts) {
+    SettingRef ref = *find_setting(key);
+    if (ref.param->scope == Scope::Light) ref.light = facts.light;
+    return setting_key(ref);
+}
+
 /// Returns true when settings have all values of one alternative of a choice.
 bool has_values(const Settings& settings, std::string_view choice) {
     const auto wanted = assignments_of(choice);
     return !wanted.empty() && std::ranges::all_of(wanted, [&](const auto& pair) {
-        const auto ref = find_setting(pair.first);
+        const auto ref = shown_setting(settings, pair.first);
         return ref && get_value(settings, *ref) == parse_value(*ref, pair.second);
     });
 }
@@ -87,7 +101,7 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
         if (!parameter.choices.empty()) {
             const EngineChoice& choice = parameter.choices[std::size_t(value)];
             for (const auto& [setting, text] : assignments_of(first_alternative(choice.settings)))
-                out.push_back({setting, text, Exactness::Exact, {}});
+                out.push_back({key_for_map(setting, facts), text, Exactness::Exact, {}});
         } else if (parameter.scale != 0 && !parameter.is_bias) {
             double number = value * parameter.scale;
             if (parameter.setting == "map.resolution" && profile.cascades_share_map && facts.cascades > 1) number /= 2;
@@ -95,7 +109,7 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
             const double fitting = std::clamp(number, ref->param->min, ref->param->max);
             const bool is_whole = std::holds_alternative<int>(get_value(Settings{}, *ref));
             const bool is_switch = std::holds_alternative<bool>(get_value(Settings{}, *ref));
-            ConvertedSetting setting{std::string(parameter.setting),
+            ConvertedSetting setting{key_for_map(parameter.setting, facts),
                                      is_switch  ? (fitting != 0 ? "true" : "false")
                                      : is_whole ? fmt::format("{}", int(std::lround(fitting)))
                                                 : setting_number_text(fitting),
@@ -157,14 +171,14 @@ void write_direct(const EngineProfile& profile, const Settings& settings, const 
                                           exactness == Exactness::Exact ? "" : "the nearest that the engine has"});
                 continue;
             }
-            const auto ref = find_setting(parameter.setting);
+            const auto ref = shown_setting(settings, parameter.setting);
             if (!ref) continue;
             out.parameters.push_back(
                 {&parameter, parameter.standard, Exactness::Missing, "left at the engine's default"});
-            out.missing.push_back({std::string(parameter.setting), value_text(*ref->param, get_value(settings, *ref)),
+            out.missing.push_back({setting_key(*ref), value_text(*ref->param, get_value(settings, *ref)),
                                    fmt::format("{} has no such choice", parameter.key)});
         } else if (parameter.scale != 0) {
-            const auto ref = find_setting(parameter.setting);
+            const auto ref = shown_setting(settings, parameter.setting);
             const bool is_extent = parameter.setting == "light.extent";
             if (!is_extent && is_without_effect(settings, *ref)) continue;
             double value = (is_extent ? facts.width_m / 2 : numeric_value(get_value(settings, *ref))) / parameter.scale;
@@ -304,20 +318,20 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
     }
     for (ConvertedParameter& p : out.parameters)
         if (!p.parameter->is_bias) p.literal = p.value;
-    for (const LackingSetting& row : profile.lacking)
-        if (lacking_setting(profile, settings, row.key) == &row &&
-            std::ranges::find(out.missing, row.key, &MissingSetting::key) == out.missing.end()) {
-            const auto ref = find_setting(row.key);
-            out.missing.push_back(
-                {std::string(row.key), value_text(*ref->param, get_value(settings, *ref)), std::string(row.reason)});
-        }
+    for (const LackingSetting& row : profile.lacking) {
+        if (lacking_setting(profile, settings, row.key) != &row) continue;
+        const auto ref = shown_setting(settings, row.key);
+        const std::string key = setting_key(*ref);
+        if (std::ranges::find(out.missing, key, &MissingSetting::key) == out.missing.end())
+            out.missing.push_back({key, value_text(*ref->param, get_value(settings, *ref)), std::string(row.reason)});
+    }
     return out;
 }
 
 std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings) {
     std::vector<std::string> notes;
     for (const ForcedSetting& forced : profile.forced) {
-        const auto ref = find_setting(forced.key);
+        const auto ref = shown_setting(settings, forced.key);
         const Value before = get_value(settings, *ref);
         const Value now = parse_value(*ref, forced.value);
         if (before == now) continue;
@@ -376,7 +390,7 @@ std::string reason_engine_lacks(const EngineProfile& profile, const Settings& be
 }
 
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key) {
-    const auto ref = find_setting(key);
+    const auto ref = shown_setting(settings, key);
     if (!ref) return nullptr;
     const std::string value = value_text(*ref->param, get_value(settings, *ref));
     for (const LackingSetting& row : profile.lacking) {

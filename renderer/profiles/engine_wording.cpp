@@ -17,8 +17,13 @@ std::vector<ConvertedParameter> EngineWording::changed(
     if (!profile || !profile->write_bias) return out;
     Settings after = settings;
     set_settings(after, changes);
+    MapFacts facts_after = facts;
+    // Another resolution leaves the map as wide as it is, up to the margin of a normal offset.
+    constexpr int kMinTexels = 3;
+    if (after.map.resolution != settings.map.resolution && after.map.bundle.empty())
+        facts_after.texels = std::max(after.map.resolution, kMinTexels);
     const WrittenValues before = write_engine_values(*profile, settings, facts);
-    for (const ConvertedParameter& now : write_engine_values(*profile, after, facts).parameters) {
+    for (const ConvertedParameter& now : write_engine_values(*profile, after, facts_after).parameters) {
         if (!now.parameter->is_bias) continue;
         const ConvertedParameter* old = before.find(now.parameter->key);
         constexpr double kShownDigits = 1e-3;

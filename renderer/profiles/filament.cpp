@@ -115,6 +115,9 @@ constexpr std::string_view kFilamentRows[] = {"constant", "normal-offset", "rast
 
 constexpr LackingSetting kFilamentLacking[] = {
     {"bias.slope", "", "Filament has no slope bias at the receiver"},
+    {"light.cascades", "5", "Filament has up to 4 cascades"},
+    {"light.cascades", "6", "Filament has up to 4 cascades"},
+    {"light.cascades", "7", "Filament has up to 4 cascades"},
     {"light.cascades", "8", "Filament has up to 4 cascades"},
 };
 

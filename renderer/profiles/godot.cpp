@@ -140,6 +140,9 @@ constexpr LackingSetting kGodotLacking[] = {
     {"filter.kernel", "vsm", "Godot has no moments"},
     {"filter.kernel", "esm", "Godot has no moments"},
     {"light.cascades", "3", "Godot has 1, 2 or 4 splits"},
+    {"light.cascades", "5", "Godot has 1, 2 or 4 splits"},
+    {"light.cascades", "6", "Godot has 1, 2 or 4 splits"},
+    {"light.cascades", "7", "Godot has 1, 2 or 4 splits"},
     {"light.cascades", "8", "Godot has 1, 2 or 4 splits"},
 };
 

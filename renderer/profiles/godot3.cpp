@@ -94,6 +94,10 @@ constexpr LackingSetting kGodot3Lacking[] = {
     {"bias.raster_units", "", "Godot 3 has no polygon offset"},
     {"filter.kernel", "pcss", "Godot 3 has no contact hardening"},
     {"filter.kernel", "vsm", "Godot 3 has no moments"},
+    {"light.cascades", "3", "Godot 3 has 1, 2 or 4 cascades"},
+    {"light.cascades", "5", "Godot 3 has 1, 2 or 4 cascades"},
+    {"light.cascades", "6", "Godot 3 has 1, 2 or 4 cascades"},
+    {"light.cascades", "7", "Godot 3 has 1, 2 or 4 cascades"},
     {"light.cascades", "8", "Godot 3 has 1, 2 or 4 cascades"},
 };
 

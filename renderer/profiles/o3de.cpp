@@ -65,7 +65,8 @@ constexpr ForcedSetting kO3deForced[] = {
 constexpr std::string_view kO3deRows[] = {"constant", "normal-offset", "receiver-plane-derivatives"};
 
 constexpr LackingSetting kO3deLacking[] = {
-    {"bias.slope", "", "O3DE has no slope bias at the receiver"},
+    {"bias.slope", "", "O3DE has no slope bias at the receiver"}, {"light.cascades", "5", "O3DE has up to 4 cascades"},
+    {"light.cascades", "6", "O3DE has up to 4 cascades"},         {"light.cascades", "7", "O3DE has up to 4 cascades"},
     {"light.cascades", "8", "O3DE has up to 4 cascades"},
 };
 

@@ -99,6 +99,9 @@ constexpr LackingSetting kUrpLacking[] = {
     {"bias.slope", "", "URP has no slope bias at the receiver"},
     {"filter.kernel", "pcss", "URP has no contact hardening"},
     {"filter.kernel", "vsm", "URP has no moments"},
+    {"light.cascades", "5", "URP has up to 4 cascades"},
+    {"light.cascades", "6", "URP has up to 4 cascades"},
+    {"light.cascades", "7", "URP has up to 4 cascades"},
     {"light.cascades", "8", "URP has up to 4 cascades"},
 };
 
@@ -163,8 +166,10 @@ void write_urp_slope(const BiasNumbers& bias, const EngineValues& values, const 
     const double own = own_normal_texels(bias);
     const double wanted = bias.total_texels(facts) - own * offset_equivalent(OffsetBy::OneMinusCosine, facts.angle_deg);
     const double per_number = kUrpSlope * urp_radius(values) * tan_angle(facts);
-    to.put("shadowDepthBias", quotient(wanted, per_number), Exactness::EqualAtAngle, wanted,
-           quotient(bias.constant_texels, per_number), "a slope; a constant has no counterpart");
+    const double slope = quotient(wanted, per_number);
+    to.put("shadowDepthBias", slope, Exactness::EqualAtAngle, slope * per_number,
+           quotient(bias.constant_texels, per_number),
+           std::string(slope == 0 && wanted > 0 ? kNoBiasAtAngle : "a slope; a constant has no counterpart"));
     put_normal(bias, own, urp_radius(values), facts, to);
 }
 

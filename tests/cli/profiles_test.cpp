@@ -174,5 +174,23 @@ TEST(Profiles, AreTunedInTheEnginesNumbers) {
     EXPECT_TRUE(urp["engine"]["parameters"].contains("shadowDepthBias"));
 }
 
+// The first bias has a far larger normal offset than any that is tried, and so a wider map.
+SI_TEST_IS(Later, Profiles, CountTunedNumbersInTheTunedMap);
+TEST(Profiles, CountTunedNumbersInTheTunedMap) {
+    const auto folder = fresh_test_folder();
+    const Json tuned = program_json(
+        "tune boxes --profile three --set engine.normalBias=0.5 --set map.resolution=512 --size 160x90 -o tuned.json",
+        folder)["engine"];
+    const Json drawn = program_json("convert tuned.json --to three --angle 45 --size 160x90 --no-time", folder);
+    EXPECT_EQ(tuned["texels"], drawn["texels"]);
+    EXPECT_NEAR(tuned["width_m"].get<double>(), drawn["width_m"].get<double>(), 1e-6);
+    for (const Json& p : drawn["engine"]["parameters"])
+        if (tuned["parameters"].contains(p["key"].get<std::string>())) {
+            EXPECT_NEAR(tuned["parameters"][p["key"].get<std::string>()]["value"].get<double>(),
+                        p["value"].get<double>(), 1e-6)
+                << p["key"];
+        }
+}
+
 }  // namespace
 }  // namespace si

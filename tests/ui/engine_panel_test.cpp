@@ -55,6 +55,79 @@ TEST(EnginePanel, TypedNumbersChangeOurSettingsWithinTheEnginesRange) {
     EXPECT_NEAR(ui.state.settings.bias.constant, 1, 1e-9) << "the least number that three.js takes is -1";
 }
 
+/// Returns the number that the group Engine shows.
+double shown_number(const UiHarness& ui, const char* parameter) {
+    const EnginePanel& panel = ui.state.engine_panel;
+    return engine_value(*panel.profile, panel.values, parameter);
+}
+
+// A frame may arrive several frames of the panel after the settings have changed.
+TEST(EnginePanel, NumbersFollowTheMapOfALateFrame) {
+    UiHarness ui(1280, 720);
+    Settings& settings = ui.state.settings;
+    settings.bias.normal = 2.6;
+    ui.state.engine_panel.profile = &engine_profile("three");
+    ui.state.settings_panel.search = "three.js";
+    ui.frames(4);
+    const double before = shown_number(ui, "normalBias");
+    ui.frame_settings = settings;
+    settings.map.resolution /= 2;
+    ui.frames(2);
+    ui.frame_settings.reset();
+    ui.frames(2);
+    EXPECT_NEAR(shown_number(ui, "normalBias"), 2 * before, 0.05 * before) << "texels twice as wide";
+    type_number(ui, "bias", "-0.0005");
+    EXPECT_NEAR(settings.bias.constant, 0.0005, 1e-9);
+    EXPECT_NEAR(settings.bias.normal, 2.6, 1e-6) << "another parameter was typed";
+}
+
+TEST(EnginePanel, ATypedBiasStaysInTheEnginesUnit) {
+    UiHarness ui(1280, 720);
+    const EnginePanel& panel = ui.state.engine_panel;
+    const BiasSettings& bias = ui.state.settings.bias;
+    ui.state.engine_panel.profile = &engine_profile("three");
+    ui.state.settings_panel.search = "three.js";
+    ui.frames(4);
+    type_number(ui, "normalBias", "0.02");
+    EXPECT_NEAR(bias.normal * panel.facts.texel_m(), 0.02, 1e-6);
+    type_number(ui, "mapSize", "1024");
+    ui.frames(6);
+    EXPECT_EQ(ui.state.settings.map.resolution, 1024);
+    EXPECT_EQ(panel.facts.texels, 1024);
+    EXPECT_NEAR(bias.normal * panel.facts.texel_m(), 0.02, 1e-6);
+    EXPECT_NEAR(shown_number(ui, "normalBias"), 0.02, 1e-9);
+    EXPECT_EQ(shown_number(ui, "mapSize"), 1024);
+}
+
+TEST(EnginePanel, EveryParameterOfTheBiasChangesIt) {
+    UiHarness ui(1280, 720);
+    const BiasSettings& bias = ui.state.settings.bias;
+    ui.state.engine_panel.profile = &engine_profile("godot");
+    ui.state.settings_panel.search = "Godot 4";
+    ui.frames(4);
+    type_number(ui, "shadow_bias", "0.1");
+    type_number(ui, "shadow_normal_bias", "0");
+    const double before = bias.constant;
+    EXPECT_GT(before, 0);
+    type_number(ui, "shadow_blur", "2");
+    EXPECT_NEAR(bias.constant, 2 * before, 1e-6 * before);
+    EXPECT_EQ(shown_number(ui, "shadow_blur"), 2);
+    EXPECT_NEAR(shown_number(ui, "shadow_bias"), 0.1, 1e-9);
+}
+
+TEST(EnginePanel, NumbersAreThoseOfTheShownLight) {
+    UiHarness ui(1280, 720);
+    Settings& settings = ui.state.settings;
+    settings.light_count = 2;
+    settings.view.light = 1;
+    ui.state.engine_panel.profile = &engine_profile("filament");
+    ui.state.settings_panel.search = "filament";
+    ui.frames(4);
+    type_number(ui, "shadowCascades", "3");
+    EXPECT_EQ(settings.lights[1].cascades, 3);
+    EXPECT_EQ(settings.lights[0].cascades, 1);
+}
+
 TEST(EnginePanel, TheAngleIsThatOfTheConversion) {
     UiHarness ui(1280, 720);
     ui.state.engine_panel.profile = &engine_profile("playcanvas");

@@ -305,6 +305,72 @@ TEST(EngineProfiles, TakeTheBiasOfAPlaneFromTheKernel) {
     EXPECT_NE(written.find("shadow_depth_bias")->note.find("adaptive"), std::string::npos);
 }
 
+TEST(EngineProfiles, GiveNoBiasByASlopeAtAnAngleOfZero) {
+    const auto has_remark = [](const ConvertedParameter& p) {
+        return p.note.find("without effect at this reference angle") != std::string::npos;
+    };
+    for (const auto& [name, key] : {std::pair("hdrp", "slopeBias"), {"urp-slope", "shadowDepthBias"}}) {
+        const WrittenValues written =
+            write_engine_values(engine_profile(name), profile_settings(8, 0, "tent5"), {.angle_deg = 0});
+        const ConvertedParameter* p = written.find(key);
+        ASSERT_TRUE(p) << name;
+        EXPECT_EQ(p->value, 0) << name;
+        EXPECT_EQ(p->texels, 0) << name;
+        EXPECT_TRUE(has_remark(*p)) << name << ": " << p->note;
+        EXPECT_NEAR(written.wanted_texels, 8, 1e-9) << name;
+        EXPECT_NEAR(written.given_texels, written.hidden_texels, 1e-9) << name;
+    }
+    const WrittenValues babylon =
+        write_engine_values(engine_profile("babylon"), profile_settings(0, 2, "hard"), {.angle_deg = 0});
+    EXPECT_EQ(babylon.find("normalBias")->value, 0);
+    EXPECT_TRUE(has_remark(*babylon.find("normalBias")));
+    EXPECT_NEAR(babylon.wanted_texels, 2, 1e-9);
+    EXPECT_EQ(babylon.given_texels, 0) << "an offset times the sine";
+}
+
+TEST(EngineProfiles, ConvertTheShownLight) {
+    Settings s;
+    s.light_count = 2;
+    s.view.light = 1;
+    s.lights[1].cascades = 2;
+    s.lights[1].split = Split::Manual;
+    s.lights[1].split_1 = 0.05;
+    const WrittenValues filament = write_engine_values(engine_profile("filament"), s, {.cascades = 2});
+    ASSERT_TRUE(filament.find("shadowCascades"));
+    EXPECT_EQ(filament.find("shadowCascades")->value, 2);
+    ASSERT_TRUE(filament.find("cascadeSplitPositions[0]"));
+    EXPECT_EQ(filament.find("cascadeSplitPositions[0]")->value, 0.05);
+    const EngineProfile& godot = engine_profile("godot");
+    EXPECT_EQ(write_engine_values(godot, s, {.cascades = 2}).find("directional_shadow_mode")->value, 1);
+    const auto keys_read = [&](const char* name, const EngineValues& values) {
+        std::set<std::string> keys;
+        for (const ConvertedSetting& setting : read_engine_values(engine_profile(name), values, {.light = 1}))
+            keys.insert(setting.key);
+        return keys;
+    };
+    EXPECT_TRUE(keys_read("filament", {{"shadowCascades", 3}}).contains("light.1.cascades"));
+    EXPECT_TRUE(keys_read("godot", {{"directional_shadow_mode", 2}}).contains("light.1.cascades"));
+    EXPECT_TRUE(keys_read("filament", {{"mapSize", 512}}).contains("map.resolution")) << "of all lights";
+    s.lights[1].cascades = 6;
+    const std::vector<MissingSetting> missing = write_engine_values(godot, s, {.cascades = 6}).missing;
+    EXPECT_TRUE(std::ranges::any_of(missing, [](const MissingSetting& m) { return m.key == "light.1.cascades"; }));
+    apply_forced_settings(godot, s);
+    EXPECT_EQ(s.lights[1].near_far, NearFar::Pancaking);
+    EXPECT_EQ(s.lights[0].near_far, NearFar::Fitted);
+}
+
+TEST(EngineProfiles, NameEveryNumberOfCascadesThatTheyLack) {
+    for (const char* name : {"godot", "godot3", "urp", "urp-slope", "filament", "filament19", "o3de"})
+        for (int count = 1; count <= kMaxCascades; ++count) {
+            Settings s;
+            s.lights[0].cascades = count;
+            const bool by_splits = std::string_view(name).starts_with("godot");
+            EXPECT_EQ(lacking_setting(engine_profile(name), s, "light.cascades") != nullptr,
+                      count > 4 || (by_splits && count == 3))
+                << name << " " << count;
+        }
+}
+
 TEST(EngineProfiles, RefuseHostileValues) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                      kInfinity = std::numeric_limits<double>::infinity();
@@ -422,6 +488,9 @@ TEST(EngineWording, SaysChangesInTheEnginesParameters) {
     EXPECT_EQ(three.text(Change{{"bias.normal", "1"}}), "in three.js: set normalBias to 0.0098");
     EXPECT_EQ(three.text(Change{{"bias.constant", "1.5"}}), "in three.js: set bias to -0.00037");
     EXPECT_EQ(three.text(Change{{"map.outside", "unlit"}}), "");
+    const EngineWording offset{&engine_profile("three"), {}, profile_settings(0, 2, "vogel")};
+    EXPECT_EQ(offset.text(Change{{"map.resolution", "1024"}}), "in three.js: set normalBias to 0.039")
+        << "as many texels of the new map";
     EXPECT_EQ(EngineWording{}.text(Change{{"bias.normal", "1"}}), "");
     EngineProfile unknown = engine_profile("three");
     unknown.read_bias = nullptr;

@@ -80,6 +80,25 @@ TEST(EngineSession, ReadsChoicesAndTakesTheEnginesRuleOfTheOffset) {
         << "own settings win over the engine's defaults";
 }
 
+TEST(EngineSession, CascadesShareTheMapOfTheEngine) {
+    const auto resolution = [](const std::string& profile, std::vector<std::string> sets) {
+        return engine_session(profile, std::move(sets)).settings.map.resolution;
+    };
+    const std::string atlas = "engine.mainLightShadowmapResolution=2048", four = "engine.shadowCascadeCount=4";
+    EXPECT_EQ(resolution("urp", {atlas}), 2048);
+    EXPECT_EQ(resolution("urp", {atlas, four}), 1024);
+    EXPECT_EQ(resolution("urp", {atlas, "light.cascades=4"}), 1024) << "an own number of cascades";
+    EXPECT_EQ(resolution("urp", {atlas, four, "map.resolution=512"}), 512) << "an own resolution";
+    EXPECT_EQ(resolution("playcanvas", {"engine.shadowResolution=2048", "engine.numCascades=2"}), 1024);
+    EXPECT_EQ(resolution("bevy", {"engine.size=2048", "engine.num_cascades=4"}), 2048) << "a map for each";
+}
+
+TEST(EngineSession, SetsTheShownLight) {
+    const Session s = engine_session("filament", {"light.count=2", "view.light=1", "engine.shadowCascades=3"});
+    EXPECT_EQ(s.settings.lights[1].cascades, 3);
+    EXPECT_EQ(s.settings.lights[0].cascades, 1);
+}
+
 TEST(EngineSession, SaysWhatIsWrong) {
     EXPECT_NE(engine_refusal("three", {"engine.normalbais=1"}).find("did you mean normalBias?"), std::string::npos);
     EXPECT_NE(engine_refusal("", {"engine.bias=1"}).find("need --profile"), std::string::npos);

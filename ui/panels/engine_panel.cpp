@@ -28,31 +28,70 @@ MapFacts shown_facts(const EnginePanel& panel, const Settings& settings, const F
     return facts;
 }
 
-/// Takes the engine's numbers from the settings, unless these are the ones that the numbers gave.
-void follow_settings(EnginePanel& panel, const Settings& settings, const MapFacts& facts) {
-    const bool same = panel.applied.bias == settings.bias && panel.applied.filter == settings.filter &&
-                      panel.applied.map == settings.map && panel.applied.caster == settings.caster &&
-                      panel.applied.lights == settings.lights;
-    if (same && !panel.values.empty()) return;
-    panel.values = write_engine_values(*panel.profile, settings, facts).values();
-    panel.applied = settings;
+/// Returns true when an engine's numbers are the same for two maps, to the digits that are shown.
+bool is_same_map(const MapFacts& a, const MapFacts& b) {
+    constexpr double kShownDigits = 1e-6;
+    const auto equal = [](double x, double y) { return std::abs(x - y) <= kShownDigits * std::abs(y); };
+    return a.texels == b.texels && a.cascades == b.cascades && equal(a.width_m, b.width_m) &&
+           equal(a.depth_m, b.depth_m);
 }
 
-/// Changes our settings by the engine's numbers. @param changed the parameter that the user has changed
-void apply_values(EnginePanel& panel, const EngineParameter& changed, const MapFacts& facts, Settings& settings) {
-    EngineValues values;
-    for (const auto& [key, value] : panel.values) {
-        const EngineParameter& parameter = engine_parameter(*panel.profile, key);
-        if (parameter.is_bias || &parameter == &changed || parameter.setting == "filter.kernel") values[key] = value;
-    }
-    const bool reads_bias = changed.is_bias || changed.setting == "filter.kernel" || changed.setting.empty();
-    for (const ConvertedSetting& setting : read_engine_values(*panel.profile, values, facts)) {
-        const bool is_bias = setting.key.starts_with("bias.");
-        const bool is_own = setting.key == changed.setting || !changed.choices.empty();
-        if (is_bias ? reads_bias : is_own) set_setting(settings, setting.key, setting.value);
-    }
+/// Returns the bias of the settings after the engine's numbers have replaced what they give.
+BiasSettings bias_of_values(const EnginePanel& panel, const MapFacts& facts, Settings settings) {
+    for (const ConvertedSetting& setting : read_engine_values(*panel.profile, panel.values, facts))
+        if (setting.key.starts_with("bias.")) set_setting(settings, setting.key, setting.value);
+    return settings.bias;
+}
+
+/// Takes the bias of the settings from the engine's numbers.
+void read_bias(EnginePanel& panel, const MapFacts& facts, Settings& settings) {
+    settings.bias = bias_of_values(panel, facts, settings);
     apply_forced_settings(*panel.profile, settings);
     panel.applied = settings;
+    panel.facts = facts;
+    panel.gives_bias = true;
+}
+
+/// Takes the engine's numbers from the settings. @param kept numbers that stay as they are
+void write_values(EnginePanel& panel, const MapFacts& facts, const Settings& settings, const EngineValues& kept = {}) {
+    panel.values = write_engine_values(*panel.profile, settings, facts, kept).values();
+    panel.applied = settings;
+    panel.facts = facts;
+    panel.gives_bias = false;
+}
+
+/// Takes the engine's numbers from the settings, if these are not the ones that the numbers gave. Under another map a
+/// bias that was typed stays the same in the engine's units, and any other bias stays the same in the settings.
+void follow_settings(EnginePanel& panel, const MapFacts& facts, Settings& settings) {
+    const bool same = panel.applied.bias == settings.bias && panel.applied.filter == settings.filter &&
+                      panel.applied.map == settings.map && panel.applied.caster == settings.caster &&
+                      panel.applied.lights == settings.lights && panel.applied.view.light == settings.view.light;
+    if (!same || panel.values.empty()) return write_values(panel, facts, settings);
+    if (is_same_map(panel.facts, facts)) return;
+    // The bias widens the map's margin by whole steps, so that bias and map may change each other without end.
+    constexpr int kMostRounds = 8;
+    panel.rounds = panel.applied == settings ? panel.rounds + 1 : 0;
+    if (!panel.gives_bias || panel.rounds > kMostRounds) return write_values(panel, facts, settings);
+    read_bias(panel, facts, settings);
+    for (const auto& [key, value] : write_engine_values(*panel.profile, settings, facts).values())
+        if (!engine_parameter(*panel.profile, key).is_bias) panel.values[key] = value;
+}
+
+/// Changes one of the engine's numbers, and our settings by it. @param changed the parameter that the user has changed
+void apply_value(EnginePanel& panel, const EngineParameter& changed, double value, Settings& settings) {
+    const MapFacts facts = panel.facts;
+    const std::string key(changed.key);
+    panel.rounds = 0;
+    const BiasSettings before = bias_of_values(panel, facts, settings);
+    panel.values[key] = value;
+    for (const ConvertedSetting& setting : read_engine_values(*panel.profile, {{key, value}}, facts))
+        if (!setting.key.starts_with("bias.")) set_setting(settings, setting.key, setting.value);
+    if (panel.gives_bias || changed.is_bias || bias_of_values(panel, facts, settings) != before)
+        return read_bias(panel, facts, settings);
+    EngineValues kept = panel.values;
+    std::erase_if(kept, [&](const auto& entry) { return engine_parameter(*panel.profile, entry.first).is_bias; });
+    apply_forced_settings(*panel.profile, settings);
+    write_values(panel, facts, settings, kept);
 }
 
 void choose_engine(EnginePanel& panel, Settings& settings) {
@@ -116,7 +155,7 @@ void draw_angle(EnginePanel& panel) {
     panel.values.clear();
 }
 
-void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settings) {
+void draw_parameters(EnginePanel& panel, Settings& settings) {
     if (!ImGui::BeginTable("parameters", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings))
         return;
     for (const EngineParameter& parameter : panel.profile->parameters) {
@@ -131,9 +170,7 @@ void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settin
                                     quantity_text(parameter.min), quantity_text(parameter.max),
                                     engine_value_text(parameter, parameter.standard)));
         ImGui::TableNextColumn();
-        if (!parameter_widget(parameter, value)) continue;
-        panel.values[std::string(parameter.key)] = value;
-        apply_values(panel, parameter, facts, settings);
+        if (parameter_widget(parameter, value)) apply_value(panel, parameter, value, settings);
     }
     draw_angle(panel);
     ImGui::EndTable();
@@ -151,8 +188,8 @@ void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult
     if (!panel.profile) return;
     try {
         const MapFacts facts = shown_facts(panel, settings, result);
-        follow_settings(panel, settings, facts);
-        draw_parameters(panel, facts, settings);
+        follow_settings(panel, facts, settings);
+        draw_parameters(panel, settings);
         ImGui::TextDisabled("%s", fmt::format("W {}, N {}, D {}, {}", quantity_text(facts.width_m, "m"), facts.texels,
                                               quantity_text(facts.depth_m, "m"), quantity_text(facts.angle_deg, "deg"))
                                       .c_str());

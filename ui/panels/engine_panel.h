@@ -14,6 +14,9 @@ struct EnginePanel {
     double angle_deg = 45;                   ///< reference angle of conversions
     EngineValues values;                     ///< as typed, or as the settings give them
     Settings applied;                        ///< settings that `values` stand for
+    MapFacts facts;                          ///< map for which `values` stand for `applied`
+    bool gives_bias = false;                 ///< the bias of `applied` was converted from `values`
+    int rounds = 0;                          ///< conversions for another map since other settings changed last
 };
 
 /// Returns the translator of setting changes into parameters of the chosen engine, for the shown light's map. Its texts

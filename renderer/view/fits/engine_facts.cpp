@@ -7,12 +7,18 @@ namespace {
 
 constexpr int kMinTexels = 3;  ///< smallest map whose texels an engine's formulas can count
 
+/// Returns the index of the light that view.light selects.
+int shown_light_index(const Settings& settings) {
+    return std::clamp(settings.view.light, 0, kMaxLights - 1);
+}
+
 }  // namespace
 
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size) {
     MapFacts facts{.texels = std::max(size.longest(), kMinTexels),
                    .format = settings.map.format,
-                   .reversed_z = settings.map.reversed_z};
+                   .reversed_z = settings.map.reversed_z,
+                   .light = shown_light_index(settings)};
     const double depth_m = view.curve.far - view.curve.near;
     const double middle_m = (view.curve.far + view.curve.near) / 2;
     const bool grows = view.curve.perspective && !view.warped();
@@ -29,12 +35,12 @@ MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size
 
 MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size) {
     if (!light || light->views.empty()) {
-        const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
-        const LightSettings& of = settings.lights[index];
+        const LightSettings& of = settings.lights[std::size_t(shown_light_index(settings))];
         return {.texels = std::max(size.longest(), kMinTexels),
                 .cascades = of.type == LightType::Directional ? of.cascades : 1,
                 .format = settings.map.format,
-                .reversed_z = settings.map.reversed_z};
+                .reversed_z = settings.map.reversed_z,
+                .light = shown_light_index(settings)};
     }
     MapFacts facts = map_facts(light->views.front(), settings, size);
     facts.cascades = light->is_cascaded() ? int(light->views.size()) : 1;
