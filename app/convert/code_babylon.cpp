@@ -9,7 +9,7 @@ std::string babylon_code(const CodeInput& in) {
     // The third argument asks for 32-bit floats, in whose steps the numbers hold.
     std::string out =
         fmt::format("// const gen = new BABYLON.{}({}, light, true);\n",
-                    in.facts.cascades > 1 ? "CascadedShadowGenerator" : "ShadowGenerator", in.facts.texels);
+                    in.facts.cascades > 1 ? "CascadedShadowGenerator" : "ShadowGenerator", in.text("mapSize"));
     const std::string filter = in.text("filter");
     const char* name = filter == "PCF"       ? "FILTER_PCF"
                        : filter == "PCSS"    ? "FILTER_PCSS"

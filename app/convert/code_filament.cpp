@@ -9,10 +9,10 @@ namespace {
 
 std::string filament_options(const CodeInput& in, bool has_normal_bias) {
     std::string out = "LightManager::ShadowOptions options;\n";
-    out += fmt::format("options.mapSize = {};\n", in.facts.texels);
+    out += in.line("options.mapSize = {};", "mapSize");
     for (const std::string_view key : {"constantBias", "normalBias", "polygonOffsetConstant", "polygonOffsetSlope"})
         if (has_normal_bias || key != "normalBias") out += in.line(fmt::format("options.{} = {{}};", key), key);
-    return out + fmt::format("options.shadowCascades = {};\n", in.facts.cascades);
+    return out + in.line("options.shadowCascades = {};", "shadowCascades");
 }
 
 }  // namespace

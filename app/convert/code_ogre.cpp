@@ -9,7 +9,7 @@ std::string ogre_code(const CodeInput& in) {
     return "// Pass of the shadow caster material:\n" +
            fmt::format("pass->setDepthBias({}, {});  // constant, slope\n", in.c_text("depth_bias.constant"),
                        in.c_text("depth_bias.slope")) +
-           fmt::format("sceneManager->setShadowTextureSize({});\n", in.facts.texels);
+           in.line("sceneManager->setShadowTextureSize({});", "ShadowTextureSize");
 }
 
 }  // namespace si

@@ -38,10 +38,14 @@ std::string code_number(double value) {
     return fmt::format("{}", float(value));
 }
 
-std::string c_float(double value) {
+std::string rust_float(double value) {
     std::string out = code_number(value);
     if (out.find_first_of(".e") == out.npos) out += ".0";
-    return out + "f";
+    return out;
+}
+
+std::string c_float(double value) {
+    return rust_float(value) + "f";
 }
 
 double CodeInput::number(std::string_view key) const {

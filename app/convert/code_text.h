@@ -18,6 +18,9 @@ std::string comment_text(std::string_view text);
 /// Formats a number for generated code: the shortest text that gives the same single-precision number.
 std::string code_number(double value);
 
+/// Formats a number as a float literal of Rust, such as "0.0", for generated code.
+std::string rust_float(double value);
+
 /// Formats a number as a float literal of C and C++, such as "0.0f", for generated code.
 std::string c_float(double value);
 

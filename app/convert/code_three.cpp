@@ -9,7 +9,7 @@ std::string three_code(const CodeInput& in) {
     const double half = 0.5 * in.facts.width_m;
     std::string out = in.line("light.shadow.bias = {};", "bias");
     out += in.line("light.shadow.normalBias = {};", "normalBias");
-    out += fmt::format("light.shadow.mapSize.set({0}, {0});\n", in.facts.texels);
+    if (in.has("mapSize")) out += fmt::format("light.shadow.mapSize.set({0}, {0});\n", in.text("mapSize"));
     out += fmt::format(
         "Object.assign(light.shadow.camera, {{left: -{0}, right: {0}, bottom: -{0}, top: {0}}});\n"
         "// NEAR and FAR count from the light's position: far - near must be D.\n"

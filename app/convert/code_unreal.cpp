@@ -13,7 +13,7 @@ std::string unreal_code(const CodeInput& in) {
     for (const char* key :
          {"r.Shadow.CSMDepthBias", "r.Shadow.CSMSlopeScaleDepthBias", "r.Shadow.ShadowMaxSlopeScaleDepthBias"})
         out += fmt::format("{}={}\n", key, in.text(key));
-    out += fmt::format("r.Shadow.MaxCSMResolution={}\n", in.facts.texels);
+    out += in.line("r.Shadow.MaxCSMResolution={}", "r.Shadow.MaxCSMResolution");
     if (in.has("r.Shadow.Virtual.NormalBias"))
         out += fmt::format(
             "; With virtual shadow maps instead, {} m from the camera at a field of view of {} degrees (not "

@@ -13,9 +13,8 @@ std::string unity_light(const CodeInput& in, const char* mode) {
     out += "light.GetUniversalAdditionalLightData().usePipelineSettings = false;\n";
     out += in.line("light.shadowBias = {}f;", "shadowDepthBias") +
            in.line("light.shadowNormalBias = {}f;", "shadowNormalBias");
-    const int shared = in.facts.cascades > 1 ? 2 : 1;  // 2 to 4 cascades share the map
-    out += fmt::format("// URP asset: main light shadow resolution {}, cascade count {}\n", shared * in.facts.texels,
-                       in.facts.cascades);
+    out += in.line("// URP asset: main light shadow resolution {}", "mainLightShadowmapResolution");
+    out += in.line("// URP asset: cascade count {}", "shadowCascadeCount");
     return out + in.line("// Soft shadows of the light or the asset: {}", "softShadowQuality");
 }
 

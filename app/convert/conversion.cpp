@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/base/error.h"
+#include "renderer/profiles/bias_numbers.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
@@ -56,8 +57,9 @@ BiasTerms bias_terms(const Settings& s, const MapFacts& facts) {
     BiasTerms out;
     if (reads_setting(row, "bias.constant")) out.constant = s.bias.constant * per_unit;
     if (reads_setting(row, "bias.slope")) out.slope = s.bias.slope * (1 - std::cos(angle)) * per_unit;
-    out.normal = s.bias.normal / std::cos(angle);
-    out.raster = s.bias.raster_slope * std::tan(angle);
+    const double offset_texels = s.bias.normal_texels() + s.bias.normal_metres() / facts.texel_m();
+    out.normal = offset_texels * offset_equivalent(s.bias.normal_by, facts.angle_deg);
+    out.raster = bias_numbers(s, facts).raster_texels(facts);
     return out;
 }
 
@@ -197,7 +199,8 @@ MapFacts facts_of_settings(const Settings& settings, std::string& source) {
     MapFacts out{.texels = settings.map.resolution,
                  .cascades = light.type == LightType::Directional ? light.cascades : 1,
                  .format = settings.map.format,
-                 .reversed_z = settings.map.reversed_z};
+                 .reversed_z = settings.map.reversed_z,
+                 .light = settings.view.light};
     const bool wide = light.extent > 0, deep = uses_manual_near_far(light) && light.far > light.near;
     if (wide) out.width_m = 2 * light.extent;
     if (deep) out.depth_m = light.far - light.near;

@@ -17,6 +17,7 @@ namespace si {
 struct ConvertedMap {
     double width_m = 0, depth_m = 0;
     int texels = 0;
+    bool operator==(const ConvertedMap&) const = default;
 };
 
 /// Error and frame time that were measured with the converted settings, for the comment at the head of the code.
@@ -41,6 +42,7 @@ struct ConversionInput {
     std::string angle_source;        ///< origin of the reference angle, a clause
     std::vector<ConvertedMap> maps;  ///< by view; empty: no scene
     std::optional<ConvertedMeasure> measure;
+    bool operator==(const ConversionInput&) const = default;
 };
 
 /// Result of a conversion of shadow settings into code of another program: the code, the same facts as JSON, and

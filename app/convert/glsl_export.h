@@ -23,6 +23,7 @@ struct LookupFacts {
     double light_size = 0;  ///< PlacedLight::size
     Reach reach;            ///< of the kernel under this light
     int subpixel_bits = 8;  ///< of the rasteriser that draws the map
+    bool operator==(const LookupFacts&) const = default;
 };
 
 /// Returns the facts of a light for exported code, as far as they follow from settings without a scene. The setting

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "app/base/output.h"
 #include "app/convert/conversion.h"
@@ -61,15 +62,15 @@ bool ConversionPreview::update(const EditorFrame& frame, const std::optional<Sea
         state_.convert.angle_deg = measured->angle_deg.value_or(state_.convert.angle_deg);
     }
     const bool moved = measuring || (shown_ && shown_->measuring);
-    const Input input{state_.settings, state_.convert.target, state_.convert.angle_deg, frame.result, measure};
+    Input input{state_.convert.target, shown_input(state_, frame, measured)};
     if (made_from_ == input) {
         shown_->measuring = measuring;
         return moved;
     }
-    made_from_ = input;
+    made_from_ = std::move(input);
     shown_ = ConvertFacts{.targets = labels_, .measuring = measuring, .measured = measured != nullptr};
     try {
-        Conversion made = convert_settings(convert_target(state_.convert.target), shown_input(state_, frame, measured));
+        Conversion made = convert_settings(convert_target(made_from_->target), made_from_->conversion);
         shown_->text = std::move(made.text);
         shown_->notes = std::move(made.notes);
     } catch (const Error& e) {
@@ -81,7 +82,7 @@ bool ConversionPreview::update(const EditorFrame& frame, const std::optional<Sea
 void ConversionPreview::save(const std::string& path, const Scene* scene, bool replace) {
     if (!shown_ || shown_->text.empty()) return;
     shown_->problem.clear();
-    shown_->replaces = false;
+    shown_->taken.clear();
     try {
         const std::vector<std::filesystem::path> outputs{path};
         require_outputs_not_read(outputs,
@@ -89,7 +90,7 @@ void ConversionPreview::save(const std::string& path, const Scene* scene, bool r
         if (scene) require_outputs_not_read(outputs, *scene, state_.files.preset_path);
         require_writable(path);
         if (!replace && is_taken(path)) {
-            shown_->replaces = true;
+            shown_->taken = path;
             shown_->problem =
                 fmt::format("{}: the file exists; press Replace, or choose another name", printable(path));
             return;

@@ -34,11 +34,8 @@ public:
 private:
     /// Values that the generated code depends on. The code is generated again when one of them changes.
     struct Input {
-        Settings settings;
         std::string target;
-        double angle_deg = 0;
-        const FrameResult* frame = nullptr;
-        std::optional<ConvertedMeasure> measure;
+        ConversionInput conversion;
         bool operator==(const Input&) const = default;
     };
     EditorState& state_;

@@ -19,6 +19,7 @@ struct Reach {
     double bias = 0.5;  ///< centres of texels compared with the receiver's own plane (kappa of the bias formula)
     double edge = 0.5;  ///< displacement or widening of a shadow edge
     double read = 0.5;  ///< centres of texels that are read
+    bool operator==(const Reach&) const = default;
 };
 
 /// Data that a shadow kernel reads from the map: depths, or moments computed from depths.

@@ -1,6 +1,7 @@
 // Tests of File, Convert: menu, preview, targets, saving and its refusals.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <filesystem>
 #include <fstream>
@@ -28,6 +29,34 @@ TEST(ConvertDialog, TheMenuOpensIt) {
     ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
     ui.frames(2);
     EXPECT_FALSE(ui.state.convert.shown);
+}
+
+TEST(ConvertDialog, ReplacesOnlyTheFileThatItNamed) {
+    UiHarness ui(1280, 720);
+    ui.conversion.emplace();
+    ui.conversion->text = "code";
+    ui.conversion->taken = "/a/a.gd";
+    ui.state.convert.asked = true;
+    // Clicks down the right edge of the dialog until the button below the code saves.
+    const auto saved_to = [&](const char* path) -> EditorRequests {
+        ui.state.convert.output = path;
+        ui.frames(3);
+        const ImGuiWindow* part = UiHarness::window("Convert to another engine");
+        if (!part) return {};
+        const ImRect dialog = part->RootWindow->Rect();
+        for (float y = dialog.Max.y - 80; y < dialog.Max.y; y += 6) {
+            ui.move({dialog.Max.x - 60, y});
+            ui.frames(2);
+            if (EditorRequests requests = ui.click_here(); requests.save_conversion) return requests;
+        }
+        return {};
+    };
+    const EditorRequests other = saved_to("/a/b.gd");
+    EXPECT_EQ(other.save_conversion, "/a/b.gd");
+    EXPECT_FALSE(other.replace_conversion);
+    const EditorRequests same = saved_to("/a/a.gd");
+    EXPECT_EQ(same.save_conversion, "/a/a.gd");
+    EXPECT_TRUE(same.replace_conversion);
 }
 
 /// Editor with the dialog open, in a folder of its own.
@@ -92,6 +121,14 @@ TEST_F(ConvertPreview, FollowsSettingsAndAngle) {
     EXPECT_NE(facts().problem.find("set map.virtual to false"), std::string::npos) << facts().problem;
 }
 
+TEST_F(ConvertPreview, FollowsTheFrame) {
+    choose("three");
+    EXPECT_NE(facts().text.find("N 2048 texels"), std::string::npos) << facts().text;
+    editor_.state().settings.map.resolution = 512;
+    settle();
+    EXPECT_NE(facts().text.find("N 512 texels"), std::string::npos) << facts().text;
+}
+
 SI_TEST_IS(Later, ConvertPreview, MeasuresAngleErrorAndTime);
 TEST_F(ConvertPreview, MeasuresAngleErrorAndTime) {
     choose("three");
@@ -123,12 +160,12 @@ TEST_F(ConvertPreview, SavesWholeAndReplacesOnlyWhenTold) {
     EXPECT_EQ(editor_.last_line(), "Wrote " + file);
     std::ofstream(file) << "mine";
     save(file);
-    EXPECT_TRUE(facts().replaces);
+    EXPECT_EQ(facts().taken, file);
     EXPECT_NE(facts().problem.find("press Replace"), std::string::npos);
     EXPECT_EQ(file_bytes(file), "mine");
     save(file, true);
     EXPECT_EQ(file_bytes(file), facts().text);
-    EXPECT_FALSE(facts().replaces);
+    EXPECT_EQ(facts().taken, "");
 }
 
 SI_TEST_IS(Later, ConvertPreview, RefusesWithAdvice);

@@ -15,6 +15,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/process.h"
 #include "tests/support/sets.h"
+#include "tests/support/text.h"
 
 namespace si {
 namespace {
@@ -104,6 +105,43 @@ TEST(Convert, FloatsOfCHaveAPoint) {
         EXPECT_FALSE(std::regex_search(code, without_point)) << code;
         EXPECT_NE(code.find("0.0f"), std::string::npos) << code;
     }
+}
+
+TEST(Convert, FloatsOfRustHaveAPoint) {
+    const std::string code = worked_conversion("bevy", {"bias.constant=0", "bias.normal=0"}).json["code"];
+    EXPECT_EQ(test::lacking(code, {"shadow_depth_bias: 0.0,", "shadow_normal_bias: 0.0,"}), "");
+}
+
+TEST(Convert, TheCodeHasTheNumbersOfTheHead) {
+    const auto expect_code = [](const char* target, const Sets& sets, std::initializer_list<std::string_view> parts) {
+        const std::string code = worked_conversion(target, sets).json["code"];
+        EXPECT_EQ(test::lacking(code, parts), "") << target;
+    };
+    const Sets many{"light.cascades=8", "map.resolution=4096"};
+    expect_code("filament", many, {"options.mapSize = 2048;", "options.shadowCascades = 4;"});
+    expect_code("filament19", many, {"options.mapSize = 2048;", "options.shadowCascades = 4;"});
+    expect_code("playcanvas", many, {"shadowResolution = 8192;", "numCascades = 4;"});
+    expect_code("o3de", many, {"Shadowmap size 2048", "Cascade count 4"});
+    expect_code("urp", {"light.cascades=6", "map.resolution=8192"},
+                {"main light shadow resolution 8192", "cascade count 4"});
+    expect_code("bevy", many, {"size: 4096", "num_cascades: 8, overlap_proportion: 0.1"});
+    expect_code("godot", {"light.cascades=3"}, {"SHADOW_PARALLEL_4_SPLITS", "directional_shadow/size = 4096"});
+    expect_code("godot", {"light.cascades=2"}, {"SHADOW_PARALLEL_2_SPLITS", "directional_shadow/size = 4096"});
+    expect_code("godot", {}, {"SHADOW_ORTHOGONAL", "directional_shadow/size = 2048"});
+    expect_code("godot3", {"light.cascades=4", "caster.cull=front"},
+                {"DirectionalLight.SHADOW_PARALLEL_4_SPLITS", "directional_shadow/size = 4096",
+                 "shadow_reverse_cull_face = true", "filter_mode = Disabled"});
+}
+
+TEST(Convert, TheHeadCountsTheBiasInItsUnits) {
+    const auto expect_term = [](const Sets& sets, std::string_view term) {
+        const std::string text = worked_conversion("three", sets).text;
+        EXPECT_EQ(test::lacking(text, {term}), "");
+    };
+    expect_term({"bias.normal_unit=metres", "bias.normal=0.02"}, "normal offset: 2.89631 texels");
+    expect_term({"bias.normal=2", "bias.normal_by=sine"}, "normal offset: 2 texels");
+    expect_term({"bias.raster_units=1024", "map.format=d24"}, "polygon offset: 0.25 texels");
+    expect_term({"bias.raster_slope=8", "bias.raster_clamp=0.001"}, "polygon offset: 4.096 texels");
 }
 
 TEST(Convert, TheHeadNamesTheNumberWithoutRegardToHiddenBias) {

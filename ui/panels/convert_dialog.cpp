@@ -69,6 +69,11 @@ void draw_preview(const ConvertFacts& facts, float height) {
     ImGui::PopStyleColor();
 }
 
+/// Returns true if the typed path is the one that the last request found taken.
+bool names_taken_file(const ConvertDialog& dialog, const ConvertFacts& facts) {
+    return !dialog.output.empty() && dialog.output == facts.taken;
+}
+
 /// Draws the row with the file's path. Returns true where it is to be saved.
 bool draw_output(ConvertDialog& dialog, const ConvertFacts& facts) {
     const float em = ImGui::GetFontSize();
@@ -80,7 +85,7 @@ bool draw_output(ConvertDialog& dialog, const ConvertFacts& facts) {
     if (ImGui::Button("Copy", {em * 6, 0})) ImGui::SetClipboardText(facts.text.c_str());
     ImGui::SameLine();
     ImGui::BeginDisabled(dialog.output.empty());
-    save |= ImGui::Button(facts.replaces ? "Replace" : "Save", {em * 6, 0});
+    save |= ImGui::Button(names_taken_file(dialog, facts) ? "Replace" : "Save", {em * 6, 0});
     ImGui::EndDisabled();
     ImGui::EndDisabled();
     return save && !facts.text.empty() && !dialog.output.empty();
@@ -115,7 +120,7 @@ void draw_convert_dialog(ConvertDialog& dialog, const ConvertFacts* facts, Conve
         if (!facts->problem.empty()) coloured_text(broken_at_spaces(facts->problem, width), theme::error());
         if (draw_output(dialog, *facts)) {
             requests.save_conversion = dialog.output;
-            requests.replace_conversion = facts->replaces;
+            requests.replace_conversion = names_taken_file(dialog, *facts);
         }
     } else {
         ImGui::TextUnformatted("There is no frame yet.");

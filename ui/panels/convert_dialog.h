@@ -23,7 +23,7 @@ struct ConvertFacts {
     std::string text;                ///< code; empty: it could not be made
     std::string problem;             ///< why it could not be made or saved, and what to do; empty: it could
     std::vector<std::string> notes;  ///< remarks, one line each
-    bool replaces = false;           ///< the file of the last request exists; saving again replaces it
+    std::string taken;               ///< path of the last request where a file exists, which may be replaced
     std::optional<SearchProgress> measuring = {};  ///< measurement of the scene under way
     bool measured = false;                         ///< the code states error and time of these settings
 };
