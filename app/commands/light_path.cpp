@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "app/base/notes.h"
 #include "app/base/output.h"
@@ -14,6 +15,7 @@
 #include "app/report/light_path_report.h"
 #include "app/report/report.h"
 #include "app/session/presets.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
@@ -37,7 +39,8 @@ std::string path_words(const PathSweepOptions& options) {
     const std::string path =
         options.along.empty() ? " --day " + shell_quoted(options.day) : " --along " + shell_quoted(options.along);
     return fmt::format(
-        "{} --steps {} --size {}x{}{} -o {}", path, options.steps, options.size.width, options.size.height,
+        "{} --steps {} --size {}x{}{}{} -o {}", path, options.steps, options.size.width, options.size.height,
+        options.error.empty() ? std::string() : " --error " + shell_quoted(options.error),
         options.timing.on ? fmt::format(" --cost {}", cost_row(options.cost).key) : std::string(" --no-time"),
         shell_quoted(options.output));
 }
@@ -59,6 +62,29 @@ void print_result(const LightPathReport& report) {
     }
     if (!r.clock.empty()) fmt::print("times by {}\n", r.clock);
 }
+
+/// Folder for the files of a path. The folders that had to be made for it are removed again while they are empty.
+class PathFolder {
+public:
+    /// @throws Error when the folder cannot be made
+    explicit PathFolder(const fs::path& folder) {
+        std::error_code error;
+        for (fs::path f = folder; !f.empty() && !fs::exists(f, error); f = f.parent_path()) made_.push_back(f);
+        make_folders(folder);
+    }
+    ~PathFolder() { remove_empty(); }
+    PathFolder(const PathFolder&) = delete;
+    PathFolder& operator=(const PathFolder&) = delete;
+
+    /// Removes the folders that were made, if nothing was written.
+    void remove_empty() const {
+        std::error_code error;
+        for (const fs::path& folder : made_) fs::remove(folder, error);  // fails if files are in the folder
+    }
+
+private:
+    std::vector<fs::path> made_;  ///< innermost first
+};
 
 /// Throws unless the files of a path were written by this command, or do not exist.
 /// @param files path.json first
@@ -91,9 +117,7 @@ void run_path(const PathSweepOptions& options) {
     const Session session = open_session(opened);
     const LightPath path = options.along.empty() ? day_path(options.day, options.steps, session.settings)
                                                  : straight_path(options.along, options.steps, session.settings);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    const PathFolder made(folder);
     for (const fs::path& file : files) {
         require_regular(file);
         require_writable(file);
@@ -110,11 +134,16 @@ void run_path(const PathSweepOptions& options) {
     const LightPathOptions timing{.time = options.timing.on, .cost = options.cost};
     const Classification worst_frame =
         interruptible("nothing was written", [&](const Workers& workers, const auto& progress) {
-            report.measured = measure_light_path(renderer, session.scene, session.settings, report.width, report.height,
-                                                 path, timing, workers, progress);
-            const PathPoint& point = report.measured.steps[report.measured.worst(metric)].point;
-            return Measurer(renderer, report.width, report.height, workers)
-                .classify(session.scene, settings_at(session.settings, point));
+            try {
+                report.measured = measure_light_path(renderer, session.scene, session.settings, report.width,
+                                                     report.height, path, timing, workers, progress);
+                const PathPoint& point = report.measured.steps[report.measured.worst(metric)].point;
+                return Measurer(renderer, report.width, report.height, workers)
+                    .classify(session.scene, settings_at(session.settings, point));
+            } catch (const Cancelled&) {
+                made.remove_empty();  // the program ends without destroying objects
+                throw;
+            }
         });
     const PathPoint& worst = report.measured.steps[report.measured.worst(metric)].point;
     report.worst_picture = worst_frame.picture;

@@ -125,9 +125,9 @@ void run_merge(const MergeOptions& options) {
                                 options.parts.front()));
     require_sweep_folder(folder);
     if (options.fresh) remove_sweep_files(folder);
-    for (const std::string& part : options.parts) copy_pictures(part, folder);
-    // Results in the folder stay, because merging continues a sweep.
+    // Results in the folder stay, because merging continues a sweep. The journal refuses the folder of another sweep.
     Journal journal(folder, merged.spec, merged.plan);
+    for (const std::string& part : options.parts) copy_pictures(part, folder);
     journal.add(missing_lines(journal.state(), merged));
     const SweepResults results = write_sweep_files(folder, journal.state(), plan);
     print_result(results, folder);

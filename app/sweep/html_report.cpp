@@ -54,14 +54,18 @@ Json setting_info(const Json& axes) {
     return info;
 }
 
-/// Returns the command line that opens a case in the editor.
-std::string command_of(const Json& results, const Json& row) {
+/// Returns the command line that opens a case in the editor, from the working directory of the sweep.
+/// @param folder folder of the sweep
+std::string command_of(const Json& results, const Json& row, const fs::path& folder) {
     std::string text = fmt::format("shadow-inspector edit {} --preset {}",
-                                   shell_quoted(results.at("scene").at("name").get<std::string>()), kBasePreset);
+                                   shell_quoted(results.at("scene").at("name").get<std::string>()),
+                                   shell_quoted((folder / kBasePreset).string()));
     Json sets = row.at("settings");
-    if (row.contains("starts")) sets.update(row["starts"]);
+    for (const char* more : {"starts", "own_settings"})
+        if (row.contains(more)) sets.update(row[more]);
     // A --set brings starting values along, which the case did not take where the base held the setting.
-    for (const auto& [key, value] : row.at("settings").items()) {
+    const Json named = sets;
+    for (const auto& [key, value] : named.items()) {
         const auto varied = find_setting(key);
         if (!varied) continue;
         for (const std::string& held : keys_with_starting_values(*varied)) {
@@ -128,7 +132,7 @@ std::string report_html(const Json& results, const fs::path& folder, const std::
     data["artefact_legend"] = json_list(artefact_styles(), [](const ArtefactStyle& style) -> Json {
         return Json::array({style.label, fmt::format("#{:02x}{:02x}{:02x}", style.rgb[0], style.rgb[1], style.rgb[2])});
     });
-    for (Json& row : data["rows"]) row["command"] = command_of(results, row);
+    for (Json& row : data["rows"]) row["command"] = command_of(results, row, folder);
     std::string page = report_asset("page.html");
     page = replaced_mark(page, "@STYLE@", report_asset("style.css"));
     page = replaced_mark(page, "@PICTURE@", picture);

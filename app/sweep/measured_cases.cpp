@@ -125,6 +125,7 @@ MeasuredCase measured_case(const SweepRow& row) {
     out.failed = row.failed;
     out.settings = row.settings;
     out.settings.insert(out.settings.end(), row.starts.begin(), row.starts.end());
+    out.settings.insert(out.settings.end(), row.own_settings.begin(), row.own_settings.end());
     for (const auto& [key, value] : row.settings) {
         const auto [label, text] = words(key, value);
         out.name += (out.name.empty() ? "" : " \u00b7 ") + text;

@@ -79,6 +79,7 @@ void MeasuringThread::start_measurement(Picture picture) {
         picture_stop_ = {};
         next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kSettleTime};
         status_.measuring = true;
+        status_.measured.reset();
         status_.measure_problem.clear();
     });
 }

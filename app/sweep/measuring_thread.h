@@ -56,7 +56,7 @@ public:
         std::uint64_t sweep = 0;              ///< number of sweeps started
         std::string sweep_problem;            ///< why the sweep ended early
         bool measuring = false;               ///< a picture is being measured
-        std::optional<CaseNumbers> measured;  ///< numbers of the last picture
+        std::optional<CaseNumbers> measured;  ///< numbers of the picture started last; nullopt: none yet
         std::string measure_problem;
     };
     /// Returns a copy of the present progress and results of the measuring thread. Any thread may call it.

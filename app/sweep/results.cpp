@@ -68,6 +68,7 @@ Json row_json(const SweepRow& row) {
     const CaseNumbers& n = row.numbers;
     Json json = {{"case", row.number}, {"settings", changes_json(row.settings)}};
     if (!row.starts.empty()) json["starts"] = changes_json(row.starts);
+    if (!row.own_settings.empty()) json["own_settings"] = changes_json(row.own_settings);
     json["failed"] = row.failed.empty() ? Json() : Json(row.failed);
     json["error"] = n.error ? error_json(n.error->metrics, n.error->noise) : Json();
     json["cost"] = n.cost ? cost_json(*n.cost) : Json();
@@ -198,7 +199,8 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
                      .starts = plan.cases[i].starts,
                      .failed = c.failed,
                      .numbers = {},
-                     .notes = c.notes};
+                     .notes = c.notes,
+                     .own_settings = c.own_settings};
         (c.failed.empty() ? out.finished : out.failed) += 1;
         put_drawn_resolution(row, c.map_resolution);
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};

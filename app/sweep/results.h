@@ -41,6 +41,7 @@ struct SweepRow {
     std::string failed;  ///< reason why the case has no numbers; empty: it has numbers
     CaseNumbers numbers;
     std::vector<std::string> notes;
+    std::vector<std::pair<std::string, std::string>> own_settings;  ///< CaseErrorAndCost::own_settings
 };
 
 /// Results of a sweep for files and plots: counts of cases and of comparable timing rounds, the Pareto front, and one

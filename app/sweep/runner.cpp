@@ -13,11 +13,14 @@ namespace si {
 namespace {
 
 /// Returns the message of a case's exception on one line. The sweep then continues with the next case.
+/// @throws Cancelled, which is no failure of the case
 template <typename Attempt>
 std::string why_failed(const Attempt& attempt) {
     try {
         attempt();
         return {};
+    } catch (const Cancelled&) {
+        throw;
     } catch (const Error& e) {
         const std::string why = one_line(e.what());
         return why.empty() ? "failed without a reason" : why;
@@ -82,7 +85,12 @@ bool SweepRunner::step_facts() {
     } else {
         journal_.add(begin_line(number));
         DrawnCase facts;
-        why = why_failed([&] { facts = meter_.facts(c); });
+        try {
+            why = why_failed([&] { facts = meter_.facts(c); });
+        } catch (const Cancelled&) {
+            journal_.add(cancelled_line(number));
+            throw;
+        }
         if (why.empty()) {
             make_picture_folder(folder_);
             if (!facts.picture_jpg.empty()) write_regular_file(folder_ / picture_path(number), facts.picture_jpg);

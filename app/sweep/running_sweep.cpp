@@ -4,8 +4,21 @@
 
 #include "app/base/output.h"
 #include "app/report/picture_comparison.h"
+#include "renderer/settings/param.h"
 
 namespace si {
+namespace {
+
+/// Returns keys and values of the settings in which a prepared case differs from the plan's case.
+std::vector<std::pair<std::string, std::string>> own_settings(const SweepCase& c, const Settings& prepared) {
+    const Settings measured = measured_settings(prepared);
+    std::vector<std::pair<std::string, std::string>> own;
+    for (const SettingRef& ref : differing_settings(c.settings, measured))
+        own.emplace_back(setting_key(ref), value_text(*ref.param, get_value(measured, ref)));
+    return own;
+}
+
+}  // namespace
 
 RunInfo RenderedCases::run() {
     RunInfo run = this_run();
@@ -20,6 +33,7 @@ DrawnCase RenderedCases::facts(const SweepCase& c) {
     DrawnCase facts;
     CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
     const Classification classified = measurer_.classify(prepared.scene, prepared.settings);
+    facts.own_settings = own_settings(c, prepared.settings);
     facts.notes = std::move(prepared.notes);
     facts.error = {classified.error, classified.reference->noise};
     if (classified.reference->noise_unknown > 0)

@@ -7,6 +7,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
+#include "renderer/bundle/given_maps.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/starting_values.h"
 
@@ -17,9 +19,68 @@ namespace {
 constexpr int kMaxShards = 100'000;
 constexpr int kFirstWithStartingValues = 3;  ///< version of settings; earlier sweeps assign bias.kind plainly
 
-template <typename T>
-void add_array(Key& key, const SharedArray<T>& values) {
-    key.add(values.size()).bytes(values.data(), values.size() * sizeof(T));
+/// Adds the elements of a std::vector or SharedArray to a key.
+template <typename List>
+void add_array(Key& key, const List& values) {
+    key.add(values.size()).bytes(values.data(), values.size() * sizeof(typename List::value_type));
+}
+
+void add_deformer(Key& key, const Deformer& deformer) {
+    const DeformSource& source = *deformer.source;
+    add_array(key, source.positions);
+    add_array(key, source.normals);
+    add_array(key, source.tangents);
+    add_array(key, source.indices);
+    for (const DeformSource::Target& t : source.targets) {
+        add_array(key, t.positions);
+        add_array(key, t.normals);
+        add_array(key, t.tangents);
+    }
+    add_array(key, source.influences);
+    key.add(source.influence_sets).add(deformer.node).add(deformer.placement);
+    if (!deformer.skin) return;
+    add_array(key, deformer.skin->joints);
+    add_array(key, deformer.skin->inverse_bind);
+}
+
+/// Adds to a key all that other poses of a scene depend on. Adds nothing for a scene without animations.
+void add_animations(Key& key, const Scene& scene) {
+    if (!scene.rig || scene.rig->animations.empty()) return;
+    for (const Animation& a : scene.rig->animations) {
+        key.add(a.duration_s).add(a.channels.size());
+        for (const AnimationChannel& c : a.channels) {
+            key.add(c.node).add(c.property).add(c.interpolation).add(c.width);
+            add_array(key, c.times_s);
+            add_array(key, c.values);
+        }
+    }
+    for (const NodeRestPose& r : scene.rig->rest) {
+        key.add(r.has_trs).add(r.translation).add(r.scale);
+        key.add(r.rotation.x).add(r.rotation.y).add(r.rotation.z).add(r.rotation.w);
+        add_array(key, r.weights);
+    }
+    add_array(key, scene.rig->camera_nodes);
+    add_array(key, scene.rig->light_nodes);
+    for (const Mesh& m : scene.meshes)
+        if (m.deformer) add_deformer(key, *m.deformer);
+}
+
+/// Returns a hash of the imported shadow maps of the bundle that the settings name (map.bundle); 0: they name none.
+/// @throws Error for a bundle that cannot be read
+std::uint64_t maps_content_key(const Settings& settings) {
+    if (settings.map.bundle.empty()) return 0;
+    const std::shared_ptr<const GivenMaps> given = given_maps(settings.map.bundle);
+    Key key;
+    for (const auto& maps : given->lights) key.add(maps ? maps->key : std::uint64_t(0));
+    return key.value();
+}
+
+std::string hash_text(std::uint64_t hash) {
+    return fmt::format("{:016x}", hash);
+}
+
+std::uint64_t hash_from_text(const std::string& text) {
+    return std::stoull(text, nullptr, 16);
 }
 
 std::string shown(const Json& value) {
@@ -92,6 +153,9 @@ std::uint64_t scene_content_key(const Scene& scene) {
     }
     for (const Node& n : scene.nodes) key.add(std::string_view(n.path)).add(n.world);
     for (const Object& o : scene.objects) key.add(o.node).add(o.mesh).add(o.world);
+    for (const SceneCamera& c : scene.cameras)
+        key.add(c.world).add(c.orthographic).add(c.fov_y_deg).add(c.height).add(c.near).add(c.far);
+    add_animations(key, scene);
     return key.value();
 }
 
@@ -99,6 +163,7 @@ SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Se
                      std::vector<SweepAxis> axes, int width, int height) {
     return {.scene = scene_name,
             .scene_content = scene_content_key(scene),
+            .maps_content = maps_content_key(settings),
             .triangles = scene.triangle_count(),
             .base = measured_settings(settings),
             .axes = std::move(axes),
@@ -109,8 +174,8 @@ SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Se
 
 Json spec_json(const SweepSpec& spec) {
     Json json;
-    json["scene"] = {
-        {"name", spec.scene}, {"triangles", spec.triangles}, {"content", fmt::format("{:016x}", spec.scene_content)}};
+    json["scene"] = {{"name", spec.scene}, {"triangles", spec.triangles}, {"content", hash_text(spec.scene_content)}};
+    if (spec.maps_content != 0) json["maps"] = hash_text(spec.maps_content);
     json["picture"] = {{"width", spec.width}, {"height", spec.height}};
     json["truth"] = spec.area ? "area" : "hard";
     json["settings"] = Json::object();
@@ -130,7 +195,8 @@ SweepSpec spec_from_json(const Json& json, int settings_version) {
         SweepSpec spec;
         spec.scene = json.at("scene").at("name").get<std::string>();
         spec.triangles = json["scene"].at("triangles").get<std::size_t>();
-        spec.scene_content = std::stoull(json["scene"].at("content").get<std::string>(), nullptr, 16);
+        spec.scene_content = hash_from_text(json["scene"].at("content").get<std::string>());
+        if (json.contains("maps")) spec.maps_content = hash_from_text(json["maps"].get<std::string>());
         spec.width = json.at("picture").at("width").get<int>();
         spec.height = json["picture"].at("height").get<int>();
         spec.area = json.at("truth") == "area";
@@ -180,6 +246,8 @@ std::string spec_difference(const Json& there, const Json& here, bool with_shard
         const Json a = there["settings"].value(key, Json()), b = here["settings"].value(key, Json());
         if (a != b) return fmt::format("{}: {} there, {} here", key, shown(a), shown(b));
     }
+    if (there.value("maps", Json()) != here.value("maps", Json()))
+        return fmt::format("the shadow maps of {} have changed since", shown(keys.value("map.bundle", Json())));
     if (with_shard && there.at("shard") != here.at("shard"))
         return fmt::format("--shard {} there, {} here", shown(there["shard"]), shown(here["shard"]));
     return {};

@@ -42,6 +42,7 @@ struct SweepTiming {
 struct SweepSpec {
     std::string scene;                ///< name or path as given
     std::uint64_t scene_content = 0;  ///< scene_content_key()
+    std::uint64_t maps_content = 0;   ///< hash of the imported shadow maps of map.bundle; 0: none
     std::size_t triangles = 0;
     Settings base;  ///< measured_settings()
     std::vector<SweepAxis> axes;
@@ -50,13 +51,13 @@ struct SweepSpec {
     Shard shard;
 };
 
-/// Computes a hash of everything that is drawn of a scene. A file read twice, or from another place, gives the same
-/// hash. Used to notice that a sweep's scene has changed.
+/// Computes a hash of everything that is drawn of a scene, in any pose and from any of its cameras. A file read twice,
+/// or from another place, gives the same hash. Used to notice that a sweep's scene has changed.
 std::uint64_t scene_content_key(const Scene& scene);
 
 /// Makes the specification of a sweep for a loaded scene.
 /// @param settings settings that all cases share @param axes varied settings with their values
-/// @param width, height size of each picture, pixels
+/// @param width, height size of each picture, pixels @throws Error for a bundle (map.bundle) that cannot be read
 SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
                      std::vector<SweepAxis> axes, int width, int height);
 

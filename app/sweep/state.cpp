@@ -11,8 +11,10 @@
 #include <fstream>
 #include <thread>
 
+#include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
 #include "renderer/base/key.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 
@@ -76,6 +78,15 @@ void require_possible(const ErrorMetrics& m) {
         if (unknown_share || v < least - kRounding || v > most + kRounding)
             throw Error(fmt::format("its {} is {:.6g}, which none can be", metric.key, v));
     }
+}
+
+/// Reads settings {key: value}. @throws UsageError for an unknown key or a bad value
+std::vector<std::pair<std::string, std::string>> settings_of(const Json& json) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const auto& [key, value] : json.items()) settings.emplace_back(key, value.get<std::string>());
+    Settings trial;
+    set_settings(trial, settings);
+    return settings;
 }
 
 RunInfo run_of(const Json& line) {
@@ -149,6 +160,9 @@ void SweepState::apply(const Json& line) {
         if (!run(info.id)) runs.push_back(info);
     } else if (line.contains("begin")) {
         ++case_of(line, "begin").begun;
+    } else if (line.contains("cancelled")) {
+        CaseState& c = case_of(line, "cancelled");
+        c.begun = std::max(c.begun - 1, 0);
     } else if (line.contains("facts")) {
         require_known_meaning(line.at("error"));
         CaseState facts;
@@ -157,6 +171,7 @@ void SweepState::apply(const Json& line) {
         facts.cost = cost_from_json(line.at("cost"));
         facts.notes = line.at("notes").get<std::vector<std::string>>();
         facts.map_resolution = line.value("map_resolution", 0);
+        facts.own_settings = settings_of(line.value("own_settings", Json::object()));
         facts.finished = true;
         CaseState& c = case_of(line, "facts");
         if (const std::string phrase = contradiction(c, facts); !phrase.empty()) {
@@ -205,12 +220,18 @@ Json begin_line(std::size_t case_number) {
     return {{"begin", case_number}};
 }
 
+Json cancelled_line(std::size_t case_number) {
+    return {{"cancelled", case_number}};
+}
+
 Json facts_line(std::size_t case_number, const CaseErrorAndCost& facts) {
-    return {{"facts", case_number},
-            {"error", error_json(facts.error.metrics, facts.error.noise)},
-            {"cost", cost_json(facts.cost)},
-            {"map_resolution", facts.map_resolution},
-            {"notes", facts.notes}};
+    Json line = {{"facts", case_number},
+                 {"error", error_json(facts.error.metrics, facts.error.noise)},
+                 {"cost", cost_json(facts.cost)},
+                 {"map_resolution", facts.map_resolution},
+                 {"notes", facts.notes}};
+    if (!facts.own_settings.empty()) line["own_settings"] = changes_json(facts.own_settings);
+    return line;
 }
 
 Json failure_line(std::size_t case_number, const std::string& why) {

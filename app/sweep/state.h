@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/base/json_text.h"
@@ -49,6 +50,9 @@ struct CaseErrorAndCost {
     WorkCost cost;
     std::vector<std::string> notes;
     int map_resolution = 0;  ///< resolution drawn if the driver or the memory limit made it smaller; else 0
+    /// Settings as drawn that differ from those of the plan's case: key and value. An engine profile converts its
+    /// values for the map of each case, and another scene of a file suggests settings of its own.
+    std::vector<std::pair<std::string, std::string>> own_settings;
 };
 
 /// Results of one case (combination of settings) of a sweep so far: error, cost (texels, draws, triangles), failures
@@ -121,6 +125,9 @@ nlohmann::ordered_json run_line(const RunInfo& run);
 /// Makes the line of a sweep's journal that records that the measurement of a case begins. A case that begins
 /// kMaxBegins times without a result has crashed the program, and counts as failed.
 nlohmann::ordered_json begin_line(std::size_t case_number);
+/// Makes the line of a sweep's journal that records that the user cancelled the measurement of a case. It then does not
+/// count as begun.
+nlohmann::ordered_json cancelled_line(std::size_t case_number);
 /// Makes the line of a sweep's journal that records error and cost (texels, draws, triangles) of a case.
 nlohmann::ordered_json facts_line(std::size_t case_number, const CaseErrorAndCost& facts);
 /// Makes the line of a sweep's journal that records that a case has failed. @param why message of the failure

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
@@ -145,10 +146,13 @@ PathChange path_change(const std::vector<ClassifiedPixel>& before, const Referen
 
 std::size_t LightPathResult::worst(const Metric& metric) const {
     std::size_t worst = 0;
-    for (std::size_t i = 1; i < steps.size(); ++i)
-        if (distance_from_best(metric.better, metric.value(steps[i].error)) >
-            distance_from_best(metric.better, metric.value(steps[worst].error)))
-            worst = i;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double distance = distance_from_best(metric.better, metric.value(steps[i].error));
+        if (!(distance > largest)) continue;  // also NaN: such a step has no value to compare
+        largest = distance;
+        worst = i;
+    }
     return worst;
 }
 

@@ -89,8 +89,8 @@ struct LightPathResult {
     std::vector<PathStep> steps;  ///< one per measured point; fewer than the path's points until all are measured
     std::string clock;            ///< clock of the times; empty: not timed
     CostCase cost = kDefaultCost;
-    /// Returns the index of the measured point of a light's path that has the largest error by a metric; 0 without
-    /// points.
+    /// Returns the index of the measured point of a light's path that has the largest error by a metric. Leaves out
+    /// points where the metric is NaN; 0 when no point is left.
     std::size_t worst(const Metric& metric) const;
 };
 

@@ -69,6 +69,18 @@ TEST(LightPathCommand, ADayGoesFromEastToWestAndIsTimed) {
     EXPECT_NE(json["clock"], "");
 }
 
+TEST(LightPathCommand, TheCommandOfThePageNamesTheError) {
+    const fs::path folder = fresh_test_folder();
+    const std::string path = "sweep boxes --along light.azimuth=0:9 --steps 2 --size 32x24 ";
+    for (const auto& [options, shown] :
+         {std::pair{"--no-time", "--size 32x24 --no-time -o 'out'"},
+          {"--error rmse --no-time", "--size 32x24 --error 'rmse' --no-time -o 'out'"}}) {
+        const ProcessResult r = run_program(Words(path + options + " -o out"), folder);
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_NE(file_bytes(folder / "out/path.html").find(shown), std::string::npos) << options;
+    }
+}
+
 TEST(LightPathCommand, MistakesAreNamedAndWriteNothing) {
     const fs::path folder = fresh_test_folder();
     expect_error("sweep boxes -o out", 2, "--vary is required", folder);
@@ -81,6 +93,23 @@ TEST(LightPathCommand, MistakesAreNamedAndWriteNothing) {
     expect_error("sweep boxes --vary bias.slope=1 --worst-preset w.json -o out", 2, "--worst-preset", folder);
     expect_error("sweep boxes --along light.azimuth=0:9 --error nothing -o out", 2, "--error nothing", folder);
     EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+SI_TEST_IS(Later, LightPathCommand, AnInterruptLeavesNoFolder);
+TEST(LightPathCommand, AnInterruptLeavesNoFolder) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directory(folder / "kept");
+    const std::string sweep = "$SI sweep boxes --along light.azimuth=0:90 --steps 1000 --size 96x64 --no-time -o ";
+    for (const char* output : {"out/path", "kept"}) {
+        const ProcessResult r = run_shell(
+            sweep + output + " >printed 2>said & " + signal_once("grep -q light.azimuth said", "INT") + "cat said",
+            folder);
+        EXPECT_NE(r.out.find("code 130\n"), std::string::npos) << r.out;
+        EXPECT_NE(r.out.find("interrupted; nothing was written"), std::string::npos) << r.out;
+        fs::remove(folder / "said");
+    }
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    EXPECT_TRUE(fs::exists(folder / "kept")) << "the command has not made it";
 }
 
 TEST(LightPathCommand, ReplacesItsOwnFilesOnly) {

@@ -47,6 +47,17 @@ int shell(const std::string& command, const fs::path& folder) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/// Returns the words of the command that the report shows for each case, behind "shadow-inspector edit".
+std::vector<Words> commands_of(const fs::path& folder) {
+    const std::string html = file_bytes(folder / "report.html"), mark = "\"command\":\"shadow-inspector edit ";
+    std::vector<Words> commands;
+    for (auto at = html.find(mark); at != std::string::npos; at = html.find(mark, at + 1)) {
+        const auto begin = at + mark.size();
+        commands.emplace_back(html.substr(begin, html.find('"', begin) - begin));
+    }
+    return commands;
+}
+
 SI_TEST_IS(Later, SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds);
 TEST(SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds) {
     const fs::path folder = fresh_test_folder();
@@ -60,6 +71,45 @@ TEST(SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds) {
     const std::string command = html.substr(html.rfind("shadow-inspector edit", at), 300);
     EXPECT_NE(command.find("--set bias.normal=2"), std::string::npos) << command;
     EXPECT_NE(command.find("--set bias.constant=0.1"), std::string::npos) << command;
+}
+
+TEST(SweepCommand, CommandsOfTheReportRunWhereTheSweepRan) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directory(folder / "models");
+    std::ofstream(folder / "models/leaf.glb", std::ios::binary) << test::falling_leaf(1, {1, -2, 0}, {1, -2, 0});
+    const ProcessResult r =
+        run_program("sweep models/leaf.glb --vary map.resolution=64,128 --size 32x24 --no-time -o out/leaf", folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const std::vector<Words> commands = commands_of(folder / "out/leaf");
+    ASSERT_EQ(commands.size(), 2u);
+    for (const Words& words : commands) {
+        const ProcessResult drawn = run_program("render" + words + "-o a.png --size 32x24", folder);
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+    }
+}
+
+SI_TEST_IS(Later, SweepCommand, CommandsOfTheReportDrawWhatAProfileMeasured);
+TEST(SweepCommand, CommandsOfTheReportDrawWhatAProfileMeasured) {
+    const fs::path folder = fresh_test_folder();
+    const Words size = "--size 96x64 --no-time";
+    // Metres are converted to texels of each case's map. The engine's bias gives way to an axis over bias.*.
+    for (const char* options : {"--profile three --set engine.normalBias=0.05 --vary map.resolution=256,512",
+                                "--profile bevy --vary bias.normal=0,1"}) {
+        const ProcessResult r = run_program("sweep boxes --fresh -o out" + size + options, folder);
+        ASSERT_EQ(r.code, 0) << r.err;
+        const OrderedJson rows = results_of(folder / "out")["rows"];
+        const std::vector<Words> commands = commands_of(folder / "out");
+        ASSERT_EQ(rows.size(), 2u) << options;
+        ASSERT_EQ(commands.size(), 2u) << options;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_TRUE(rows[i].contains("own_settings")) << options;
+            const auto m = program_json("measure" + commands[i] + size, folder);
+            EXPECT_EQ(m["error"]["mae"], number_at(rows[i], "error.mae")) << rows[i].dump();
+        }
+    }
+    ASSERT_EQ(run_program("sweep boxes --fresh -o out --vary map.resolution=256,512" + size, folder).code, 0);
+    const OrderedJson plain = results_of(folder / "out")["rows"];
+    for (const OrderedJson& row : plain) EXPECT_FALSE(row.contains("own_settings")) << row.dump();
 }
 
 SI_TEST_IS(Later, SweepCommand, WritesResultsAndReport);
@@ -107,9 +157,9 @@ TEST(SweepCommand, WritesResultsAndReport) {
     for (const Column& column : columns())
         EXPECT_NE(header.find("," + std::string(column.key) + ","), std::string::npos) << column.key;
     // The command in the report draws the picture of its case.
-    EXPECT_EQ(
-        run_program("render boxes --preset out/base.json --set filter.kernel=hard -o a.png --size 96x64", folder).code,
-        0);
+    const std::vector<Words> commands = commands_of(folder / "out");
+    ASSERT_EQ(commands.size(), 4u);
+    EXPECT_EQ(run_program("render" + commands[0] + "-o a.png --size 96x64", folder).code, 0);
     // A finished sweep: the same command changes nothing.
     const std::string journal = file_bytes(folder / "out" / kJournalFile);
     EXPECT_EQ(run_program(sweep_of("out"), folder).code, 0);
@@ -318,6 +368,17 @@ TEST(SweepCommand, ParallelShardsMergeIntoTheWhole) {
     ASSERT_EQ(run_program(sweep_of("other", "--no-time --set bias.slope=1"), folder).code, 0);
     EXPECT_EQ(run_program("merge part-1 other -o wrong", folder).code, 1);
     EXPECT_FALSE(fs::exists(folder / "wrong"));
+}
+
+SI_TEST_IS(Later, SweepCommand, MergeLeavesTheFolderOfAnotherSweepAsItIs);
+TEST(SweepCommand, MergeLeavesTheFolderOfAnotherSweepAsItIs) {
+    const fs::path folder = fresh_test_folder();
+    ASSERT_EQ(run_program(sweep_of("part", "--no-time"), folder).code, 0);
+    ASSERT_EQ(run_program(sweep_of("other", "--no-time --set bias.slope=1"), folder).code, 0);
+    const fs::path picture = folder / "other/pictures/0003.jpg";
+    ASSERT_TRUE(fs::remove(picture));
+    expect_error("merge part -o other", 1, "other: holds another sweep", folder);
+    EXPECT_FALSE(fs::exists(picture)) << "a picture of the part";
 }
 
 SI_TEST_IS(Later, SweepCommand, SlurmArrayRunsShards);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "renderer/base/directions.h"
@@ -143,6 +144,18 @@ TEST(LightPath, TheWorstStepHasTheLargestError) {
     EXPECT_EQ(r.worst(*find_metric("mae")), 1u);
     EXPECT_EQ(r.worst(*find_metric("iou")), 1u) << "more is better";
     EXPECT_EQ(LightPathResult{}.worst(*find_metric("mae")), 0u);
+}
+
+TEST(LightPath, AStepWithoutAValueIsNotTheWorst) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    LightPathResult r;
+    for (const double distance : {kNone, 1.0, kNone, 3.0, 2.0}) {
+        r.steps.push_back({});
+        r.steps.back().error.boundary_px_mean = distance;
+    }
+    EXPECT_EQ(r.worst(*find_metric("boundary_px_mean")), 3u);
+    for (PathStep& step : r.steps) step.error.boundary_px_mean = kNone;
+    EXPECT_EQ(r.worst(*find_metric("boundary_px_mean")), 0u);
 }
 
 }  // namespace

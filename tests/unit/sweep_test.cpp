@@ -8,8 +8,14 @@
 
 #include "app/sweep/columns.h"
 #include "app/sweep/files.h"
+#include "app/sweep/html_report.h"
 #include "app/sweep/merge.h"
+#include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
+#include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/bundle_json.h"
+#include "renderer/projection/light_view.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/error_text.h"
 #include "tests/support/fake_sweep.h"
@@ -358,6 +364,64 @@ TEST(Sweep, CrashingCaseFails) {
     EXPECT_NE(f.results()["rows"][2]["failed"].get<std::string>().find("the program ended"), std::string::npos);
 }
 
+TEST(Sweep, CancelledCaseIsMeasuredLater) {
+    /// Meter whose measurement of one case is cancelled.
+    struct CancelledMeter : FakeMeter {
+        DrawnCase facts(const SweepCase& c) override {
+            DrawnCase made = FakeMeter::facts(c);
+            if (measured.size() == 3) throw Cancelled();
+            return made;
+        }
+    };
+    const FakeSweep f(fresh_test_folder());
+    FakeMeter first;
+    f.run(first, 2);
+    for (int i = 0; i <= kMaxBegins; ++i) {
+        CancelledMeter cancelled;
+        cancelled.measured.resize(2);
+        EXPECT_THROW(f.run(cancelled), Cancelled);
+        EXPECT_EQ(f.results()["failed"], 0);
+        EXPECT_EQ(f.results()["finished"], 2);
+    }
+    FakeMeter meter;
+    f.run(meter, 10'000, {.on = false});
+    EXPECT_EQ(meter.measured.size(), 6u);
+    EXPECT_EQ(f.results()["failed"], 0) << "a case that was cancelled more than kMaxBegins times has not crashed";
+}
+
+TEST(Sweep, SettingsOfACaseAloneAreKeptAndInItsCommand) {
+    /// Meter whose bias depends on the case's map, as that of an engine profile does.
+    struct ProfileMeter : FakeMeter {
+        DrawnCase facts(const SweepCase& c) override {
+            DrawnCase made = FakeMeter::facts(c);
+            if (c.settings.map.resolution < 512)
+                made.own_settings = {{"bias.normal", "0.25"}, {"bias.kind", "adaptive"}};
+            return made;
+        }
+    } meter;
+    const FakeSweep f(fresh_test_folder());
+    f.run(meter, 10'000, {.on = false});
+    const OrderedJson r = f.results();
+    EXPECT_EQ(r["rows"][0]["own_settings"], (OrderedJson{{"bias.normal", "0.25"}, {"bias.kind", "adaptive"}}));
+    EXPECT_FALSE(r["rows"][2].contains("own_settings"));
+    const std::string html = report_html(r, f.folder);
+    const std::string begin =
+        "shadow-inspector edit stage --preset " + shell_quoted((f.folder / kBasePreset).string()) + " --set ";
+    EXPECT_NE(html.find(begin + "map.resolution=256 --set filter.kernel=hard --set bias.normal=0.25 --set "
+                                "bias.kind=adaptive --set bias.constant="),
+              std::string::npos)
+        << "the base's other amounts stay";
+    EXPECT_NE(html.find(begin + "map.resolution=512 --set filter.kernel=hard\""), std::string::npos);
+    // Merging keeps them. A line with an unknown setting is left out.
+    const SweepState state = read_journal(f.folder);
+    EXPECT_EQ(merge_sweeps({{"a", state}, {"b", state}}).cases.at(0).own_settings, state.cases.at(0).own_settings);
+    OrderedJson line = facts_line(0, state.cases.at(0));
+    line["own_settings"] = {{"no.setting", "1"}};
+    SweepState other;
+    EXPECT_THROW(other.apply(line), Error);
+    EXPECT_TRUE(other.cases.empty());
+}
+
 TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter here, there;
@@ -497,6 +561,68 @@ TEST(Results, ContentDecidesWhetherScenesAreEqual) {
     Scene moved = stage;
     moved.objects[0].world[3].x += 1e-9;
     EXPECT_NE(scene_content_key(moved), scene_content_key(stage));
+    Scene seen = stage;
+    seen.cameras.emplace_back();
+    EXPECT_NE(scene_content_key(seen), scene_content_key(stage));
+    Scene wider = seen;
+    wider.cameras.back().fov_y_deg += 1;
+    EXPECT_NE(scene_content_key(wider), scene_content_key(seen));
+}
+
+TEST(Results, ContentOfASceneHasItsOtherPoses) {
+    const Scene stage = load_scene("stage");
+    const auto key = [&](float end, float vertex, bool moves) {
+        Scene scene = stage;
+        auto rig = std::make_shared<Rig>();
+        if (moves) {
+            AnimationChannel channel;
+            channel.times_s = {0, 1};
+            channel.values = {0, 0, 0, end, 0, 0};
+            rig->animations.emplace_back().channels.push_back(channel);
+        }
+        scene.rig = rig;
+        auto source = std::make_shared<DeformSource>();
+        source->positions.emplace_back(vertex, 0.0f, 0.0f);
+        auto deformer = std::make_shared<Deformer>();
+        deformer->source = source;
+        scene.meshes[0].deformer = deformer;
+        return scene_content_key(scene);
+    };
+    EXPECT_EQ(key(1, 2, true), key(1, 2, true));
+    EXPECT_NE(key(3, 2, true), key(1, 2, true)) << "keyframes";
+    EXPECT_NE(key(1, 3, true), key(1, 2, true)) << "vertices before they are deformed";
+    EXPECT_EQ(key(1, 2, false), scene_content_key(stage)) << "nothing moves";
+}
+
+TEST(Results, OtherShadowMapsOfABundleAreAnotherSweep) {
+    const fs::path path = fresh_test_folder() / "a.bundle";
+    LightView view;
+    view.curve = {.perspective = false, .near = 0, .far = 20, .convention = {}, .warp = {}};
+    view.set_half_extents(glm::dvec2(4));
+    Bundle bundle;
+    BundleMap& map = bundle.lights.emplace_back().maps.emplace_back();
+    map.image.file = "a.pfm";
+    map.depth.convention = view.curve.convention;
+    map.clip.clip_from_world = view.clip_from_relative(glm::dvec3(0));
+    // Sizes differ, so that a file written at once after another one is another file.
+    const auto write = [&](float depth, const std::string& scale) {
+        std::string image = "Pf\n2 2\n" + scale + "\n";
+        for (int i = 0; i < 4; ++i) image.append(reinterpret_cast<const char*>(&depth), sizeof depth);
+        fs::remove_all(path);
+        write_bundle_files({{"frame.json", format_bundle(bundle)}, {"a.pfm", image}}, path);
+    };
+    const Scene scene = load_scene("plane");
+    Settings settings;
+    const auto spec = [&] { return spec_json(sweep_spec("plane", scene, settings, {}, 8, 8)); };
+    EXPECT_FALSE(spec().contains("maps")) << "the settings name no bundle";
+    settings.map.bundle = path.string();
+    write(0.25f, "-1.0");
+    const OrderedJson first = spec();
+    EXPECT_EQ(spec_json(spec_from_json(first)), first);
+    write(0.25f, "-1.00");
+    EXPECT_EQ(spec_difference(first, spec()), "") << "the same maps, written again";
+    write(0.5f, "-1.000");
+    EXPECT_EQ(spec_difference(first, spec()), "the shadow maps of " + path.string() + " have changed since");
 }
 
 TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {

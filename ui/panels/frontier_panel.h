@@ -31,7 +31,7 @@ struct MeasuredCase {
     int number = -1;   ///< number in the sweep; -1: the present settings
     std::string name;  ///< "1024 · PCF 3×3"
     std::vector<std::pair<std::string, std::string>>
-        settings;                            ///< varied settings, then starting values that they bring along
+        settings;                            ///< varied settings, starting values, then settings of this case alone
     std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one for each setting
     /// Value of each column: distance from the best possible value, or an upper bound where noise hides the value.
     /// Signed metrics keep their sign. NaN: not measured.
