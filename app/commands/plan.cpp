@@ -130,6 +130,7 @@ void run_plan(const PlanOptions& options) {
     print_notes(session.notes);
     print_notes(plan.notes);
     if (plan.health) require_sound(*plan.health);
+    end_if_interrupted("not everything was tried");
 }
 
 }  // namespace si

@@ -199,8 +199,10 @@ void run_probe(const ProbeOptions& options) {
     if (options.json) {
         find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found, table ? table->fix() : nullptr);
-        if (probe.hit && options.reference && section.empty())
+        if (probe.hit && options.reference && section.empty()) {
             json["cures"] = table ? fixes_json(*table, session.engine) : nlohmann::ordered_json::array();
+            json["cures_stopped"] = table && table->stopped;
+        }
         if (session.engine.profile && table && table->fix())
             json["engine"] = engine_changes_json(session.engine, table->fix()->changes);
         fmt::print("{}", json_text(json));
@@ -232,6 +234,7 @@ void run_probe(const ProbeOptions& options) {
     }
     if (options.check_numeric)
         require_sound(*search_numbers(renderer, session.scene, session.settings, request, workers_with_progress()));
+    end_if_interrupted("not everything was tried");
 }
 
 }  // namespace si

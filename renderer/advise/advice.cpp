@@ -101,7 +101,7 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
         const auto known = std::ranges::find_if(
             tried, [&](const Trial& t) { return t.candidate.light == c.light && t.candidate.settings == c.settings; });
         if (known != tried.end()) {
-            if (known->why_not.empty()) return true;
+            if (known->why_not.empty() || !known->is_drawn()) return true;
             Trial again = *known;
             again.candidate = std::move(c);
             rate(again);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/given_map_changes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/starting_values.h"
@@ -44,6 +45,7 @@ public:
     AutopilotResult run() {
         AutopilotResult out;
         out.before = meter_.measure(start_, start_.view.light);
+        leave_out_axes_of_imported_maps(out);
         out.before.frame.reset();
         const CostChange before_ms = meter_.ms(start_);
         out.before_ms = before_ms.value;
@@ -81,7 +83,7 @@ public:
 
 private:
     const Settings& start_;
-    const std::vector<SweepAxis>& axes_;
+    std::vector<SweepAxis> axes_;
     const AutopilotGoals& goals_;
     const TrialMeter& meter_;
     const TrialReport& report_;
@@ -94,6 +96,18 @@ private:
     std::set<AxisChoice> unmeasured_;
     std::size_t untimed_ = 0;
     std::size_t combinations_ = 1;
+
+    /// Removes the axes whose settings act only while maps are drawn, if the maps are imported.
+    /// @param out has the measurement of the present settings, and receives a sentence on each removed axis
+    void leave_out_axes_of_imported_maps(AutopilotResult& out) {
+        std::erase_if(axes_, [&](const SweepAxis& axis) {
+            const SettingRef ref = *find_setting(axis.key);
+            const int light = ref.param->scope == Scope::Light ? ref.light : start_.view.light;
+            if (!acts_while_drawing(axis.key) || !has_imported_maps(out.before, light)) return false;
+            out.untried.push_back(fmt::format("{} was not varied: it {}", axis.key, kNeedsAnotherMap));
+            return true;
+        });
+    }
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.max_seconds; }

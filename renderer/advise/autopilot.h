@@ -1,7 +1,7 @@
 // Autopilot: searches combinations of settings for the cheapest within an error limit, or the most accurate within a
 // time limit. Error and time are measured.
 //
-//     AutopilotResult r = run_autopilot(settings, autopilot_axes(settings, facts), {.max_error = 0.01}, meter);
+//     AutopilotResult r = run_autopilot(settings, autopilot_axes(settings, facts, 4096), {.max_error = 0.01}, meter);
 //     if (r.goals_met) use(r.best.settings); else print(r.summary);
 #pragma once
 
@@ -27,7 +27,7 @@ struct AutopilotGoals {
 /// setting.
 /// @param max_resolution largest map resolution that the driver supports, texels per side. Resolutions above 4096 are
 /// never tried
-std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
+std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution);
 
 /// Removes the values that an engine cannot draw from the axes of a settings search, then the axes without any value.
 /// @param engine engine that is to draw the found settings; null: nothing is removed
@@ -72,7 +72,8 @@ struct AutopilotResult {
 using AutopilotShow = std::function<void(const AutopilotResult&)>;
 
 /// Searches combinations of settings for the best within the goals: the cheapest under an error limit, or without it
-/// the most accurate under a time limit. Draws and times by means of `meter`.
+/// the most accurate under a time limit. Draws and times by means of `meter`. Settings that act only while maps are
+/// drawn are not varied on imported maps.
 /// @returns the result so far when the meter or the report throws Cancelled after the present settings were measured
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const TrialMeter& meter, const TrialReport& report = {}, const AutopilotShow& show = {});

@@ -42,6 +42,8 @@ OwnMap own_map_of(const SearchTools& tools, const Settings& base, const Measured
     try {
         out.why_not = why_maps_differ(tools, base, out.settings);
         if (out.why_not.empty()) out.before = meter.measure(out.settings, base.view.light);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const Error& error) {
         out.why_not = fmt::format("{}; there is no own map: {}", kNeedsAnotherMap, error.what());
     }

@@ -25,6 +25,7 @@ struct OwnMap {
 /// error, OwnMap::why_not has the reason.
 /// @param base settings whose map.bundle gives the imported maps
 /// @param before frame measured under `base`
+/// @throws Cancelled
 OwnMap own_map_of(const SearchTools& tools, const Settings& base, const MeasuredSettings& before,
                   const TrialMeter& meter);
 

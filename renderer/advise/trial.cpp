@@ -36,9 +36,7 @@ WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
 
 /// Returns true when a trial would change how a map is drawn that an engine has drawn.
 bool changes_given_map(const MeasuredSettings& before, const Trial& t) {
-    const auto light = std::size_t(std::max(t.candidate.light, 0));
-    if (!before.frame || light >= before.frame->lights.size()) return false;
-    return before.frame->lights[light].provider == MapProvider::Imported &&
+    return has_imported_maps(before, t.candidate.light) &&
            std::ranges::any_of(t.changes, [](const auto& change) { return acts_while_drawing(change.first); });
 }
 
@@ -89,6 +87,12 @@ std::string map_bytes_text(long long bytes) {
     if (bytes == 0) return "same";
     const bool large = std::abs(bytes) >= 1 << 20;
     return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
+}
+
+bool has_imported_maps(const MeasuredSettings& measured, int light) {
+    const auto i = std::size_t(std::max(light, 0));
+    return measured.frame && i < measured.frame->lights.size() &&
+           measured.frame->lights[i].provider == MapProvider::Imported;
 }
 
 std::size_t wrong_pixels(const ErrorMetrics& error) {

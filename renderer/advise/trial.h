@@ -68,6 +68,10 @@ struct MeasuredSettings {
     std::shared_ptr<const MeasuredError> frame = nullptr;  ///< classified pixels; null in tests without a renderer
 };
 
+/// Returns true when an engine has drawn the maps of a light; false without MeasuredSettings::frame.
+/// @param light index of light.*
+bool has_imported_maps(const MeasuredSettings& measured, int light);
+
 /// Returns the number of wrong pixels of a measured frame, of all causes of error together.
 std::size_t wrong_pixels(const ErrorMetrics& error);
 

@@ -259,6 +259,7 @@ TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     EXPECT_TRUE(first["pixel_right"].get<bool>());
     EXPECT_TRUE(first["fix"].get<bool>());
     EXPECT_TRUE(first["ms"].is_object());
+    EXPECT_EQ(probe.at("cures_stopped"), false);
     const Json after = program_json(command + set_words(first["settings"]));
     const Json& cured = after["lights"][0];
     EXPECT_NEAR(cured["visibility"].get<double>(), 1, 0.25);

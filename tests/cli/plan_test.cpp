@@ -108,6 +108,21 @@ TEST(PlanCommand, ListsWaste) {
     EXPECT_NE(off.find("not drawn          0 triangles  map of light 0\n"), std::string::npos) << off;
 }
 
+SI_TEST_IS(Slow, PlanCommand, AnInterruptPrintsTheWasteSoFar);
+TEST(PlanCommand, AnInterruptPrintsTheWasteSoFar) {
+    // 96 maps, so that the search lasts. The second line of progress follows the first trial.
+    std::string lights = "--set light.count=16";
+    for (int i = 0; i < 16; ++i) lights += " --set light." + std::to_string(i) + ".type=point";
+    const ProcessResult r =
+        run_shell("$SI plan boxes --waste --size 1280x720 --set map.resolution=512 " + lights + " >printed 2>said & " +
+                      signal_once("[ $(grep -c 'of light' said) -gt 1 ]", "INT") + "cat printed said",
+                  fresh_test_folder());
+    // A fast machine may end before the signal.
+    const bool interrupted = r.out.find("code 130\n") != std::string::npos;
+    EXPECT_EQ(r.out.find("stopped before all work was left out once") != std::string::npos, interrupted) << r.out;
+    EXPECT_EQ(r.out.find("interrupted; not everything was tried") != std::string::npos, interrupted) << r.out;
+}
+
 TEST(PlanCommand, RanksWasteByMeasuredTime) {
     const Json waste = plan_of("--waste --measure --rounds 3 --set light.intensity=1e-10")["waste"];
     EXPECT_EQ(waste["share"], 1) << "nobody sees so dim a light";

@@ -249,6 +249,14 @@ TEST_F(OwnMapTest, ChangedRasterStateStandsForNothing) {
     }
 }
 
+TEST_F(OwnMapTest, AStopIsNoReasonAgainstOwnMaps) {
+    const Session read = open(exported(open("boxes", {"map.resolution=64"})));
+    TrialMeter m = meter(read.scene);
+    const MeasuredSettings before = m.measure(read.settings, 0);
+    m.measure = [](const Settings&, int) -> MeasuredSettings { throw Cancelled(); };
+    EXPECT_THROW(own_map_of(tools(read.scene), read.settings, before, m), Cancelled);
+}
+
 TEST_F(OwnMapTest, OtherViewsAreNotTried) {
     const Session read = open(exported(open("boxes", {"map.resolution=64"})));
     const std::vector<std::string> changes = {"light.fit=view", "light.near_far=casters", "light.cascades=2",

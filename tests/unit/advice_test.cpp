@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "renderer/inspect/given_map_changes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 
@@ -222,6 +223,28 @@ TEST(Advice, ChangeWithARefutedClaimIsOfferedAsATrade) {
     EXPECT_EQ(all[0].candidate.name, "coarser");
     EXPECT_TRUE(all[0].why_not.empty());
     EXPECT_EQ(classified, 2) << "before, and once after";
+}
+
+TEST(Advice, AChangeThatNeedsAnotherMapIsNotDrawnUnderASecondClaim) {
+    MeasuredError frame;
+    frame.lights.resize(1);
+    frame.lights[0].provider = MapProvider::Imported;
+    TrialMeter meter;
+    meter.measure = [shared = std::make_shared<const MeasuredError>(frame)](const Settings&, int) {
+        return MeasuredSettings{.error = 0.01, .noise = 0, .work = {}, .camera = {}, .frame = shared};
+    };
+    meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
+    Candidate same{.name = "the same", .settings = {}, .rule = "a", .claim = Claim::Same};
+    same.settings.map.resolution = 1;
+    Candidate trade = same;
+    trade.claim = Claim::Trade;
+    trade.name = "coarser";
+    const std::vector<Trial> all = try_advice(Settings{}, {same, trade}, meter);
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].candidate.name, "the same");
+    EXPECT_EQ(all[0].candidate.untried, kNeedsAnotherMap);
+    EXPECT_EQ(all[0].why_not, kNeedsAnotherMap);
+    EXPECT_FALSE(all[0].ms);
 }
 
 /// A change that lowers the error is advice whichever rule proposed it.

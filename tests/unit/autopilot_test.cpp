@@ -219,14 +219,42 @@ TEST(Autopilot, TurnsOffOnlyActiveEffects) {
     const auto has = [](const std::vector<SweepAxis>& axes, std::string_view key) {
         return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& a) { return a.key == key; });
     };
-    const std::vector<SweepAxis> plain = autopilot_axes(Settings{}, f);
+    const std::vector<SweepAxis> plain = autopilot_axes(Settings{}, f, 4096);
     EXPECT_TRUE(has(plain, "filter.kernel"));
     EXPECT_TRUE(has(plain, "map.resolution"));
     for (const char* key : {"light.0.contact", "map.virtual", "light.0.cast"}) EXPECT_FALSE(has(plain, key)) << key;
     f.shadowed = {0};
-    EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.cast"));
-    EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.contact"));
+    EXPECT_TRUE(has(autopilot_axes(with_contact(), f, 4096), "light.0.cast"));
+    EXPECT_TRUE(has(autopilot_axes(with_contact(), f, 4096), "light.0.contact"));
     for (const SweepAxis& axis : plain) EXPECT_EQ(axis.values.front(), "") << "as it is";
+}
+
+TEST(Autopilot, VariesNothingThatNeedsAnotherMapFromTheEngine) {
+    MeasuredError frame;
+    frame.lights.resize(2);
+    frame.lights[0].provider = MapProvider::Imported;
+    const auto shared = std::make_shared<const MeasuredError>(frame);
+    World world;
+    TrialMeter meter = world.meter();
+    meter.measure = [&, measure = meter.measure](const Settings& s, int light) {
+        MeasuredSettings measured = measure(s, light);
+        measured.frame = shared;
+        return measured;
+    };
+    const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf5"}},
+                                         {"map.resolution", {"256", "512"}},
+                                         {"light.0.fit", {"", "view"}},
+                                         {"light.1.fit", {"", "view"}}};
+    const AutopilotResult r = run_autopilot(Settings{}, axes, {.max_error = 1.0}, meter);
+    EXPECT_EQ(r.combinations, 6u) << "light 1 has drawn maps";
+    ASSERT_EQ(r.cases.size(), 6u);
+    for (const AutopilotCase& c : r.cases) {
+        EXPECT_EQ(c.settings.map.resolution, Settings{}.map.resolution);
+        EXPECT_EQ(c.settings.lights[0].fit, Settings{}.lights[0].fit);
+    }
+    ASSERT_EQ(r.untried.size(), 2u);
+    EXPECT_EQ(r.untried[0], "map.resolution was not varied: it needs another map from the engine");
+    EXPECT_EQ(r.untried[1], "light.0.fit was not varied: it needs another map from the engine");
 }
 
 /// A time within noise of the limit decides nothing.
