@@ -92,10 +92,9 @@ void run_measure(const MeasureOptions& options) {
     if (options.time) time = measurer.time(session.scene, session.settings, options.cost);
     std::optional<FixTable> fixes;
     if (options.fixes) {
-        ReferenceCache cache;
         fixes = interruptible("nothing was tried", [&](const Workers& workers, const auto& report) {
-            return find_fixes({renderer, session.scene, options.size.width, options.size.height, cache, workers, report,
-                               session.engine.profile},
+            return find_fixes({renderer, session.scene, options.size.width, options.size.height, measurer.references(),
+                               workers, report, session.engine.profile},
                               session.settings, {.time = options.time});
         });
     }
@@ -129,6 +128,7 @@ void run_measure(const MeasureOptions& options) {
         json["cost"] = cost_json(classified.cost);
         if (classified.pages) json["pages"] = pages_json(*classified.pages);
         json["cures"] = fixes ? fixes_json(*fixes, session.engine) : Json();
+        json["cures_stopped"] = fixes ? Json(fixes->stopped) : Json();
         json["numeric_health"] = health ? health_json(*health) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
@@ -144,6 +144,7 @@ void run_measure(const MeasureOptions& options) {
     print_notes(classified.notes);
     print_notes(lost_caster_remarks(session.scene, lost, int(light)));
     if (health) require_sound(*health);
+    end_if_interrupted("not everything was tried");
 }
 
 }  // namespace si

@@ -86,6 +86,9 @@ void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& e
                    wrong_pixels(fix->metrics), table.wrong, fix->after.error, fix->before.error,
                    set_options_text(fix->changes));
         print_engine(*fix);
+    } else if (const Trial* untimed = table.untimed_fix()) {
+        fmt::print("no fix is known yet: {} is one if it costs no more time than the shadow does\n      {}\n",
+                   untimed->candidate.shown_name(), set_options_text(untimed->changes));
     } else {
         fmt::print("no fix: none of {} changes that were tried {} and makes nothing worse\n", table.drawn(),
                    table.rows.front().pixel ? "makes this pixel right" : "lowers the error");

@@ -228,10 +228,11 @@ std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
 /// Search of find_fixes().
 class FixSearcher {
 public:
-    FixSearcher(const Settings& base, const TrialMeter& meter, const FixOptions& options)
-        : base_(base), meter_(meter), options_(options) {}
+    /// @param times_first times the first fix at once, for a table that is shown before the search ends
+    FixSearcher(const Settings& base, const TrialMeter& meter, const FixOptions& options, bool times_first)
+        : base_(base), meter_(meter), options_(options), times_first_(times_first) {}
 
-    /// Rates a trial and keeps it. Times it in few rounds if it is the first fix.
+    /// Rates a trial and keeps it. Times the first fix in few rounds if the table is shown.
     /// @param own own maps on which the trial was drawn; null: it was not
     void add(Trial t, const ErrorMetrics& before, const OwnMap* own = nullptr) {
         if (t.is_drawn()) {
@@ -241,7 +242,7 @@ public:
             if (own) own_ = &own->settings;
             if (options_.time) {
                 limit_time(t, Rounds::All);
-            } else if (t.why_not.empty() && !table.fix()) {
+            } else if (times_first_ && t.why_not.empty() && !table.fix()) {
                 limit_time(t, Rounds::Few);
                 in_few_rounds_ = t.candidate.settings;
             }
@@ -287,6 +288,7 @@ private:
     const Settings& base_;
     const TrialMeter& meter_;
     const FixOptions& options_;
+    const bool times_first_;
     const Settings* own_ = nullptr;                  ///< settings of the own maps, once known
     std::optional<Settings> in_few_rounds_;          ///< settings of the first fix until it is timed in all rounds
     std::optional<CostChange> shadow_, own_shadow_;  ///< time of the shadow, once measured; on own maps
@@ -483,6 +485,11 @@ const Trial* FixTable::fix() const {
     return rows.empty() || !rows.front().is_drawn() || !rows.front().why_not.empty() ? nullptr : &rows.front();
 }
 
+const Trial* FixTable::untimed_fix() const {
+    const auto at = std::ranges::find_if(rows, [](const Trial& t) { return may_be_fix(t) && !t.why_not.empty(); });
+    return at == rows.end() ? nullptr : &*at;
+}
+
 const Trial* FixTable::fix_of(Artefact cause) const {
     const Trial* best = nullptr;
     const auto of = [&](const Trial& t) { return t.cured_of[std::size_t(cause)]; };
@@ -499,7 +506,7 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report,
                       const std::function<void(const FixTable&)>& shown, std::size_t enough,
                       const std::function<OwnMap()>& own) {
-    FixSearcher search(base, meter, options);
+    FixSearcher search(base, meter, options, bool(shown));
     FixTable& table = search.table;
     const ErrorMetrics& error = before.frame->metrics;
     std::ranges::copy(error.artefacts, table.wrong_of.begin());

@@ -66,6 +66,9 @@ struct FixTable {
     bool stopped = false;                            ///< stopped before all candidates were tried
     /// Returns the best fix of this search; null: no tried setting change is a fix.
     const Trial* fix() const;
+    /// Returns the best trial whose unknown frame time alone may keep it from being a fix; null: none. A search that is
+    /// stopped before it times one has no fix().
+    const Trial* untimed_fix() const;
     /// Returns the trial that puts most wrong pixels of one cause right; null: no trial does. Considers fixes, and
     /// trials that were not timed but meet all other conditions of a fix.
     const Trial* fix_of(Artefact cause) const;
@@ -90,7 +93,7 @@ struct FixOptions {
 
 /// Tries candidates as fixes of a frame's wrong pixels, and rates them. Draws and times by means of `meter`.
 /// @param before the present settings, with their frame
-/// @param shown receives the table so far, after each trial
+/// @param shown receives the table so far, after each trial; the first fix is then timed at once, in few rounds
 /// @param enough number of candidates after which a fix ends the search
 /// @param own returns the program's own maps, for changes that need another map than the imported one; called at the
 /// first such change. Empty: such changes are not tried

@@ -325,10 +325,16 @@ FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, st
     const auto completed = [&](const BiasSettings& bias) {
         return tools.engine ? with_hidden_bias(*tools.engine, bias, facts) : bias;
     };
+    // Several rows draw the same picture where their amounts are 0.
+    std::vector<std::pair<Settings, BiasTrial>> measured;
     const BiasMeter measure = [&](const BiasSettings& bias) {
         Settings s = base;
         s.bias = completed(bias);
-        return trial(*meter.measure(s, s.view.light).frame, s);
+        const Settings effective = without_ineffective_settings(s);
+        const auto known = std::ranges::find(measured, effective, &std::pair<Settings, BiasTrial>::first);
+        if (known != measured.end()) return known->second;
+        measured.emplace_back(effective, trial(*meter.measure(s, s.view.light).frame, s));
+        return measured.back().second;
     };
     std::vector<BiasStart> starts = bias_starts(first, base, driver);
     std::erase_if(starts, [&](const BiasStart& s) { return tools.engine && !has_bias_row(*tools.engine, s.row->key); });

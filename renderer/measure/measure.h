@@ -76,6 +76,8 @@ public:
     /// Prepares a sequence of frames with these settings, for callers that draw and time the frames one by one.
     /// @param cost kind of frames to time: every pass drawn again, moving camera or moving light
     TimedFrames frames(const Scene& scene, const Settings& settings, CostCase cost);
+    /// Returns the cache of the traced references, so that a search after classify() does not trace them again.
+    ReferenceCache& references() { return references_; }
 
 private:
     Renderer& renderer_;

@@ -53,8 +53,12 @@ constexpr int kNoneInColumn = 1 << 30;  ///< least distance that stands for a co
 std::vector<int> distances_in_columns(const std::vector<std::uint8_t>& set, int width, int height) {
     const auto w = std::size_t(width), n = w * std::size_t(height);
     std::vector<int> out(n);
-    for (std::size_t i = 0; i < n; ++i) out[i] = set[i] ? 0 : i < w ? kNoneInColumn : out[i - w] + 1;
-    for (std::size_t i = n; i-- > w;) out[i - w] = std::min(out[i - w], out[i] + 1);
+    for (std::size_t x = 0; x < std::min(w, n); ++x) out[x] = set[x] ? 0 : kNoneInColumn;
+    // Rows have loops of their own, since these are vectorised.
+    for (std::size_t row = w; row < n; row += w)
+        for (std::size_t x = 0; x < w; ++x) out[row + x] = set[row + x] ? 0 : out[row + x - w] + 1;
+    for (std::size_t row = n; row > w; row -= w)
+        for (std::size_t x = row - w; x < row; ++x) out[x - w] = std::min(out[x - w], out[x] + 1);
     return out;
 }
 

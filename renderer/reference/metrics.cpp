@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "renderer/base/index_of.h"
@@ -13,6 +14,20 @@
 namespace si {
 namespace {
 
+/// Calls `use` with the index of each byte that differs between two arrays of `count` bytes, of which few do.
+template <typename Use>
+void each_differing_byte(const std::uint8_t* a, const std::uint8_t* b, std::size_t count, Use&& use) {
+    constexpr std::size_t kBlock = 16;
+    for (std::size_t i = 0; i < count;) {
+        if (i + kBlock <= count && std::memcmp(a + i, b + i, kBlock) == 0) {
+            i += kBlock;
+            continue;
+        }
+        if (a[i] != b[i]) use(i);
+        ++i;
+    }
+}
+
 /// Returns the pixels on either side of a change between lit and dark on one surface.
 /// @param visibility_of returns the visibility of a pixel by its index
 template <typename VisibilityOf>
@@ -20,18 +35,19 @@ std::vector<std::uint8_t> contour(const Reference& reference, const Receivers* r
                                   VisibilityOf&& visibility_of) {
     const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
     std::vector<std::uint8_t> out(w * h, 0), dark(w * h);
+    if (out.empty()) return out;
     for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = visibility_of(i) < 0.5f;
     const auto counts = [&](std::size_t i) { return reference.state[i] == PixelState::Counted; };
-    // Few neighbours differ, so that is compared first.
-    const auto step = [&](std::size_t i, std::size_t k, bool Receiver::*same_surface) {
-        if (dark[i] == dark[k] || !counts(i) || !counts(k)) return;
+    const auto mark = [&](std::size_t i, std::size_t k, bool Receiver::*same_surface) {
+        if (!counts(i) || !counts(k)) return;
         if (!receivers || receivers->pixels[i].*same_surface) out[i] = out[k] = 1;
     };
-    for (std::size_t y = 0; y < h; ++y)
-        for (std::size_t x = 0; x < w; ++x) {
-            if (x + 1 < w) step(y * w + x, y * w + x + 1, &Receiver::same_surface_right);
-            if (y + 1 < h) step(y * w + x, (y + 1) * w + x, &Receiver::same_surface_below);
-        }
+    each_differing_byte(dark.data(), dark.data() + 1, w * h - 1, [&](std::size_t i) {
+        const bool ends_row = (i + 1) % w == 0;
+        if (!ends_row) mark(i, i + 1, &Receiver::same_surface_right);
+    });
+    each_differing_byte(dark.data(), dark.data() + w, w * (h - 1),
+                        [&](std::size_t i) { mark(i, i + w, &Receiver::same_surface_below); });
     return out;
 }
 

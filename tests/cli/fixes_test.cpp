@@ -28,9 +28,12 @@ long long wrong_pixel_count(const Json& measured) {
 
 SI_TEST_IS(Slow, FixesInJson, AreNullUnlessRequestedAndReachTheirFigures);
 TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
-    EXPECT_TRUE(run("measure", "--no-time")["cures"].is_null());
+    const Json none = run("measure", "--no-time");
+    EXPECT_TRUE(none.at("cures").is_null());
+    EXPECT_TRUE(none.at("cures_stopped").is_null());
     const Json all = run("measure", "--no-time --cures");
     ASSERT_TRUE(all["cures"].is_array());
+    EXPECT_EQ(all.at("cures_stopped"), false);
     const Json& first = all["cures"][0];
     EXPECT_GT(first["cured_px"], 1000);
     EXPECT_TRUE(first["fix"].get<bool>());
@@ -42,6 +45,22 @@ TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
         }
     EXPECT_EQ(wrong_pixel_count(run("measure", "--no-time" + set_words(first["settings"]))),
               wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
+}
+
+SI_TEST_IS(Slow, FixesInJson, AnInterruptPrintsTheTriedOnesAndMarksThem);
+TEST(FixesInJson, AnInterruptPrintsTheTriedOnesAndMarksThem) {
+    const std::filesystem::path folder = fresh_test_folder();
+    // The first line of progress names the present settings, the next one a change.
+    const ProcessResult r = run_shell(
+        "$SI measure boxes --set map.resolution=512 --set bias.kind=constant --set bias.normal=0 --set "
+        "bias.constant=0 --size 1280x720 --cures --json >printed 2>said & " +
+            signal_once("[ $(grep -c % said) -gt 1 ]", "INT") + "cat said",
+        folder);
+    const bool interrupted = r.out.find("code 130\n") != std::string::npos;
+    EXPECT_EQ(r.out.find("interrupted; not everything was tried") != std::string::npos, interrupted) << r.out;
+    const Json printed = Json::parse(file_bytes(folder / "printed"));
+    EXPECT_TRUE(printed.at("cures").is_array());
+    EXPECT_EQ(printed.at("cures_stopped"), interrupted) << "a fast machine may end before the signal";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/report/fixes_json.h"
 #include "renderer/advise/fixes.h"
 
 namespace si {
@@ -42,8 +43,10 @@ public:
         };
         meter.map_bytes = [this](const Settings& s) { return effect(s).bytes; };
     }
-    /// @param enough trials after which the search ends at the first fix
-    FixTable search(std::size_t enough = std::numeric_limits<std::size_t>::max()) {
+    /// @param enough trials after which the search ends at the first fix @param shown receives the table so far
+    FixTable search(
+        std::size_t enough = std::numeric_limits<std::size_t>::max(),
+        const std::function<void(const FixTable&)>& shown = [](const FixTable&) {}) {
         std::vector<Candidate> list;
         for (std::size_t i = 1; i < effects_.size(); ++i) {
             list.push_back({.name = std::to_string(i), .settings = {}});
@@ -51,7 +54,7 @@ public:
         }
         Settings base;
         base.bias.constant = 0;
-        return search_fixes(base, measured(base), std::move(list), meter, {}, {}, {}, enough);
+        return search_fixes(base, measured(base), std::move(list), meter, {}, {}, shown, enough);
     }
     TrialMeter meter;
     std::vector<int> drawn, timed;
@@ -178,6 +181,34 @@ TEST(FixSearch, AStoppedSearchHasTheFirstFix) {
     ASSERT_TRUE(table.fix());
     EXPECT_EQ(table.fix()->candidate.name, "1") << "the better one was not timed";
     EXPECT_EQ(table.rows.size(), 2u);
+}
+
+TEST(FixSearch, TimesOnlyTheBestWhereNoTableIsShown) {
+    MadeUpFrames frames({{100}, {50}, {30}, {10}, {20}});
+    const FixTable table = frames.search(std::numeric_limits<std::size_t>::max(), {});
+    ASSERT_TRUE(table.fix());
+    EXPECT_EQ(table.fix()->candidate.name, "3");
+    EXPECT_EQ(frames.timed, std::vector<int>{3});
+    EXPECT_EQ(table.untimed_fix()->candidate.name, "4") << "the next best";
+}
+
+TEST(FixSearch, AStoppedSearchWithoutATimedFixNamesTheBestUntimedOne) {
+    MadeUpFrames frames({{100}, {50}, {10}, {5}});
+    frames.meter.measure = [&, measure = frames.meter.measure](const Settings& s, int light) {
+        if (int(s.bias.constant) == 3) throw Cancelled();
+        return measure(s, light);
+    };
+    const FixTable table = frames.search(std::numeric_limits<std::size_t>::max(), {});
+    EXPECT_TRUE(table.stopped);
+    EXPECT_FALSE(table.fix());
+    ASSERT_TRUE(table.untimed_fix());
+    EXPECT_EQ(table.untimed_fix()->candidate.name, "2");
+    EXPECT_TRUE(frames.timed.empty());
+    testing::internal::CaptureStdout();
+    print_fixes(table, 0, {});
+    const std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(text.rfind("no fix is known yet: 2 is one if it costs no more time than the shadow does\n", 0), 0u)
+        << text;
 }
 
 TEST(FixSearch, KeepsAllRowsWhenStoppedWhileTiming) {
