@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/base/output.h"
 #include "app/session/command_line.h"
 #include "app/session/engine_session.h"
 #include "app/sweep/files.h"
@@ -15,6 +16,7 @@
 #include "app/sweep/results.h"
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
+#include "renderer/base/temporary_folder.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -33,6 +35,19 @@ bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan&
     } catch (const std::exception&) {
         return false;  // a damaged sweep starts again
     }
+}
+
+/// Checks that a folder holds no other sweep than the one of `state`. @throws Error
+void require_no_other_sweep(const fs::path& folder, const SweepState& state) {
+    if (!has_journal(folder)) return;
+    const SweepState there = read_journal(folder);
+    if (const std::string difference = spec_difference(there.spec, state.spec); !difference.empty())
+        throw Error(fmt::format("{}: holds another sweep ({}); choose another folder", folder.string(), difference));
+    if (there.plan != state.plan)
+        throw Error(
+            fmt::format("{}: holds a sweep of a version of the program that ordered its cases differently; choose "
+                        "another folder",
+                        folder.string()));
 }
 
 /// Returns the folder whose journal this sweep continues, or an empty folder, and true if this call has made the
@@ -171,6 +186,7 @@ void EditorSweep::measure_present(const Scene& scene, const EditorState& state) 
     followed_ = std::move(present);
     mark_.reset();
     marks_are_known_ = false;
+    measures_mark_ = false;
     thread().start_measurement(*followed_);
 }
 
@@ -181,6 +197,7 @@ void EditorSweep::measure_marks(const Scene& scene, const EditorState& state) {
         const auto is_refused = [&](const MeasuringThread::Picture& p) { return is_same(p, *picture); };
         if (!picture || finished(picture) || std::ranges::any_of(refused_, is_refused)) return false;
         mark_ = picture;
+        measures_mark_ = true;
         thread().start_measurement(*picture);
         return true;
     };
@@ -244,6 +261,11 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     if (results_->rounds > 0) panel.timed = swept_cost_ = results_->cost;
     seen_sweep_ = thread_ ? thread_->status().sweep : 0;
     opened_ = true;
+    // The cancelled sweep's progress is not fetched any more.
+    facts_.running = facts_.timing = false;
+    facts_.progress = facts_.seconds_left = 0;
+    facts_.current.clear();
+    drop_empty();
     panel.width = spec.width;
     panel.height = spec.height;
     panel.area = spec.area;
@@ -259,10 +281,18 @@ void EditorSweep::save(const fs::path& folder) const {
     const SweepState state = read_journal(shown_->folder);
     std::error_code error;
     if (!fs::equivalent(folder, shown_->folder, error)) {
+        require_no_other_sweep(folder, state);
         make_folders(folder);
+        // A failed copy leaves the files of an earlier save.
+        const TemporaryFolder copy(folder / ".sweep.XXXXXX");
+        if (copy.path().empty())
+            throw Error(fmt::format("{}: cannot be written: {}; choose another folder", folder.string(), errno_text()));
+        fs::copy_file(shown_->folder / kJournalFile, copy.path() / kJournalFile);
+        copy_pictures(shown_->folder, copy.path());
         if (has_journal(folder)) remove_sweep_files(folder);
-        fs::copy_file(shown_->folder / kJournalFile, folder / kJournalFile);
-        copy_pictures(shown_->folder, folder);
+        make_picture_folder(folder);
+        for (const fs::path& file : sweep_files(copy.path()))
+            if (fs::exists(file)) fs::rename(file, folder / file.lexically_relative(copy.path()));
     }
     write_sweep_files(folder, state, shown_->plan);
 }
@@ -279,13 +309,14 @@ void EditorSweep::fetch_results() {
             else
                 refused_.push_back(of);
         }
-    } else {
-        present_ = std::move(status.measured);
+    } else if (!measures_mark_) {
+        // The numbers of the settings before stay until the present ones have some.
+        if (status.measured || !status.measure_problem.empty()) present_ = status.measured;
         facts_.measuring_present = status.measuring;
         facts_.present_problem = status.measure_problem;
         facts_.present_is_old = status.measuring && present_ && present_->time;  // times are measured last
-        if (!status.measuring && status.measure_problem.empty() && present_ && followed_)
-            note_finished(finished_, {*followed_, *present_});
+        if (!status.measuring && status.measure_problem.empty() && status.measured && followed_)
+            note_finished(finished_, {*followed_, *status.measured});
     }
     if (opened_ && status.sweep == seen_sweep_) return;  // another sweep is shown
     opened_ = false;

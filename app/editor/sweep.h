@@ -44,7 +44,8 @@ public:
     /// @param panel state of the panel; gets axes and size of the sweep @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
     /// Writes the shown sweep (measurement of many settings) into a folder: journal of the measured cases, pictures,
-    /// tables and report. @throws Error
+    /// tables and report. Replaces an earlier save of the same sweep. @throws Error, also when the folder holds another
+    /// sweep
     void save(const std::filesystem::path& folder) const;
 
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
@@ -147,6 +148,7 @@ private:
     const EngineProfile* seen_engine_ = nullptr;
     double seen_angle_deg_ = 0;     ///< reference angle of the engine's numbers
     bool marks_are_known_ = false;  ///< all marked settings are measured, or cannot be measured
+    bool measures_mark_ = false;    ///< the measurement started last is of marked settings
     Settings compared_;             ///< settings last compared with the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< results have arrived since facts_ was made

@@ -7,8 +7,10 @@
 #include <thread>
 
 #include "app/editor/sweep.h"
+#include "app/sweep/files.h"
 #include "app/sweep/results.h"
 #include "renderer/base/error.h"
+#include "tests/support/error_text.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 #include "tests/support/traits.h"
@@ -136,6 +138,20 @@ TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOn
     EXPECT_EQ(s.facts().view.before->cost, 128 * 128) << "though they were never shown while the panel was open";
     EXPECT_EQ(s.facts().view.present->cost, 64 * 64);
     EXPECT_NE(s.facts().view.plot.spots[0].dot.error, s.facts().view.present->error) << "the engine's own bias";
+    const Dot present = *s.facts().view.present;
+    s.ask([](EditorRequests& a) { a.cancel_sweep = true; });  // any change of the measuring thread's status
+    ASSERT_TRUE(s.facts().view.present);
+    EXPECT_EQ(s.facts().view.present->error, present.error) << "not the engine's, which were measured last";
+    state.settings.map.resolution = 256;
+    s.editor.frame();
+    EXPECT_TRUE(s.facts().measuring_present);
+    EXPECT_TRUE(s.facts().present_is_old);
+    ASSERT_TRUE(s.facts().view.present);
+    EXPECT_EQ(s.facts().view.present->error, present.error) << "of the settings before";
+    state.settings.map.resolution = 64;
+    s.editor.settle();
+    ASSERT_TRUE(s.facts().view.present);
+    EXPECT_EQ(s.facts().view.present->error, present.error);
     state.engine_panel.profile = nullptr;
     s.editor.settle();
     EXPECT_EQ(labels(), (std::vector<std::string>{"A", "now"}));
@@ -235,6 +251,70 @@ TEST(EditorSweep, SavedAndOpenedSweepIsTheSame) {
     EXPECT_EQ(s.state().sweep.width, 64);
     ASSERT_EQ(s.state().sweep.axes.size(), 2u);
     EXPECT_EQ(s.state().sweep.axes[1].values, "64,256");
+}
+
+TEST(EditorSweep, SaveRefusesAFolderWithAnotherSweep) {
+    const fs::path root = fresh_test_folder();
+    const FakeSweep shown(root / "shown");
+    FakeSweep other(root / "other");
+    other.spec.width = 9;
+    shown.measure();
+    other.measure();
+    const std::string journal = file_bytes(other.folder / kJournalFile);
+    SweepPanel panel;
+    EditorSweep sweep{fs::path()};
+    sweep.open(shown.folder, panel);
+    EXPECT_TRUE(test::fails_with([&] { sweep.save(other.folder); },
+                                 {"other: holds another sweep (--size 9x8 there, 8x8 here); choose another folder"}));
+    EXPECT_EQ(file_bytes(other.folder / kJournalFile), journal);
+    EXPECT_FALSE(lacks_pictures(other.folder, 7));
+}
+
+TEST(EditorSweep, SaveReplacesTheSameSweepOnlyAsAWhole) {
+    const fs::path root = fresh_test_folder();
+    const FakeSweep shown(root / "shown"), saved(root / "saved");
+    shown.measure();
+    FakeMeter meter;
+    saved.run(meter, 2);
+    std::ofstream(saved.folder / "notes.txt") << "mine";
+    const std::string journal = file_bytes(saved.folder / kJournalFile);
+    SweepPanel panel;
+    EditorSweep sweep{fs::path()};
+    sweep.open(shown.folder, panel);
+    const fs::path picture = shown.folder / picture_path(3);
+    fs::remove(picture);
+    fs::create_directory(picture);
+    EXPECT_TRUE(test::fails_with([&] { sweep.save(saved.folder); }, {"cannot be copied"}));
+    EXPECT_EQ(file_bytes(saved.folder / kJournalFile), journal);
+    EXPECT_FALSE(lacks_pictures(saved.folder, 0));
+
+    fs::remove(picture);
+    std::ofstream(picture) << "jpg";
+    sweep.save(saved.folder);
+    EXPECT_EQ(file_bytes(saved.folder / kJournalFile), file_bytes(shown.folder / kJournalFile));
+    EXPECT_FALSE(lacks_pictures(saved.folder, 7));
+    EXPECT_TRUE(fs::exists(saved.folder / "report.html"));
+    EXPECT_EQ(file_bytes(saved.folder / "notes.txt"), "mine");
+    for (const auto& entry : fs::directory_iterator(saved.folder))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+}
+
+TEST(EditorSweep, OpenedSweepEndsTheRunningOne) {
+    const fs::path root = fresh_test_folder();
+    const FakeSweep other(root / "other");
+    other.measure();
+    Swept s(boxes(root / "state"));
+    s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
+    EXPECT_TRUE(s.facts().running);
+    s.ask([&](EditorRequests& a) { a.open_sweep = other.folder.string(); });
+    s.editor.settle();
+    EXPECT_EQ(s.state().log.unseen_errors(), 0);
+    EXPECT_EQ(s.facts().cases.size(), 8u);
+    EXPECT_FALSE(s.facts().running);
+    EXPECT_FALSE(s.facts().timing);
+    EXPECT_EQ(s.facts().progress, 0);
+    EXPECT_EQ(s.facts().seconds_left, 0);
+    EXPECT_EQ(s.facts().current, "");
 }
 
 TEST(EditorSweep, ErrorsOfAnotherDefinitionAreNotOpened) {
