@@ -10,6 +10,7 @@
 #include "renderer/base/printable.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/measure/axes.h"
 #include "renderer/reference/reference.h"
 #include "ui/state/panels.h"
 
@@ -126,8 +127,7 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
         // The result is valid for its scene, camera and light only.
         Settings now = state_.settings;
         apply_tuning(now, of.settings);
-        now.view = of.settings.view;
-        const bool same = scene && scene->id == of.scene && now == of.settings;
+        const bool same = scene && scene->id == of.scene && measured_settings(now) == measured_settings(of.settings);
         if (found.result && !same) {
             state_.log.add(LogKind::Warning, "Not shown, as scene or settings changed meanwhile: " + found.summary);
             return true;

@@ -181,8 +181,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     const bool same = drawn_ && renderer_.has_images_of(facts_.result) && !shaders_changed_ &&
                       same_inputs(wanted, facts_.request) && wanted.outputs == facts_.request.outputs &&
                       wanted.with_look == facts_.request.with_look && wanted.timing == facts_.request.timing &&
-                      wanted.forced == facts_.request.forced && wanted.map_camera == facts_.request.map_camera &&
-                      drawn_settings_ == settings && drawn_scene_ == scene.id;
+                      wanted.forced == facts_.request.forced && drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();

@@ -18,7 +18,7 @@ constexpr const char* kLacksRays =
 
 bool same_inputs(const FrameRequest& a, const FrameRequest& b) {
     return a.width == b.width && a.height == b.height && a.reference == b.reference && a.traced == b.traced &&
-           a.light_maps == b.light_maps && a.with_look == b.with_look;
+           a.light_maps == b.light_maps && a.map_camera == b.map_camera && a.with_look == b.with_look;
 }
 
 void EditorPictureComparison::clear() {
@@ -44,6 +44,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
     settings.view.panes = Panes::One;
     const FrameRequest wanted{.width = request.width,
                               .height = request.height,
+                              .map_camera = request.map_camera,
                               .with_look = request.with_look,
                               .reference = request.reference,
                               .traced = request.traced,

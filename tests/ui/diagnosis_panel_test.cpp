@@ -269,5 +269,22 @@ TEST(EditorTuning, IsNotShownBesideOtherSettings) {
     EXPECT_EQ(model.state.settings, turned);
 }
 
+SI_TEST_IS(Later, EditorTuning, IsNotShownForAnotherLight);
+TEST(EditorTuning, IsNotShownForAnotherLight) {
+    EditorOptions options = biased_boxes();
+    options.session.sets.emplace_back("light.count=2");
+    TestEditor editor(options);
+    EditorModel& model = editor.model();
+    EditorRequests request = small_picture();
+    model.fulfil(request);
+    request.tune = SearchRequest{};
+    model.fulfil(request);
+    model.state.settings.view.light = 1;
+    editor.settle();
+    EXPECT_FALSE(model.state.tried);
+    const auto& lines = model.state.log.lines();
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const auto& line) { return line.text.starts_with("Not shown, as "); }));
+}
+
 }  // namespace
 }  // namespace si::test

@@ -10,6 +10,7 @@
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
+#include "renderer/scenes/builtin.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
@@ -251,7 +252,7 @@ TEST(ArtefactTour, VisitsClustersAndProbesThem) {
         EXPECT_NEAR(editor.probe()->x, 0.5 * editor.probe()->width, 1.5) << "in the middle of the picture";
         EXPECT_NEAR(editor.probe()->y, 0.5 * editor.probe()->height, 1.5);
         seen.push_back(spot.position_ws);
-        EXPECT_TRUE(state.log.lines().back().text.starts_with("At " + artefact_tour_text(state)))
+        EXPECT_TRUE(state.log.lines().back().text.starts_with("At " + artefact_tour_text(state, editor.facts())))
             << "the status bar still says: " << state.log.lines().back().text;
         if (i == 0) write_png(kOut / "editor_next_artefact.png", editor.picture());
     }
@@ -266,6 +267,38 @@ TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     EXPECT_TRUE(state.shows(Page::Log));
     editor.key('X');
     EXPECT_TRUE(state.shows(Page::Pixel)) << "other tabs make way for the place";
+}
+
+TEST(ArtefactTour, AnotherLightAndAReloadedSceneRestartIt) {
+    const Scene scene = load_scene("boxes"), reloaded = load_scene("boxes");
+    ASSERT_NE(scene.id, reloaded.id);
+    EditorState state;
+    state.settings.light_count = 2;
+    const FrameResult result = made_up_frame(scene, state.settings);
+    EditorFrame frame;
+    frame.result = &result;
+    ArtefactTour& tour = state.artefact_tour;
+    const auto visit_first = [&] {
+        tour = {};
+        tour.of = {.number = 1, .spots = std::vector<ArtefactSpot>(2), .camera = result.camera, .height = 90};
+        tour.left = state.settings;
+        tour.scene = scene.id;
+        frame.scene = &scene;
+    };
+    visit_first();
+    state.settings.view.overlay = 1;
+    next_artefact(state, frame);
+    EXPECT_EQ(tour.waits_for, 0) << "display aids do not matter";
+    EXPECT_EQ(tour.at, 1u);
+    EXPECT_NE(artefact_tour_text(state, frame), "");
+    state.settings.view.light = 1;
+    EXPECT_EQ(artefact_tour_text(state, frame), "");
+    next_artefact(state, frame);
+    EXPECT_NE(tour.waits_for, 0) << "clusters of the other light";
+    visit_first();
+    frame.scene = &reloaded;
+    next_artefact(state, frame);
+    EXPECT_NE(tour.waits_for, 0) << "clusters of the scene as it was";
 }
 
 TEST(ArtefactTour, SwatchSelectsTheCauseAndShowsIt) {

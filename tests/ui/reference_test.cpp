@@ -14,8 +14,11 @@
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/process.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
+#include "ui/scene_view/camera_steering.h"
+#include "ui/state/panels.h"
 
 namespace si {
 namespace {
@@ -286,6 +289,35 @@ TEST(EditorReference, SavesAllNumbers) {
     EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
 }
 
+SI_TEST_IS(Later, EditorReference, SavedErrorsReplaceAFileOnlyAfterConfirmation);
+TEST(EditorReference, SavedErrorsReplaceAFileOnlyAfterConfirmation) {
+    const std::filesystem::path file = fresh_test_folder() / "error.json";
+    std::ofstream(file) << "mine";
+    HeadlessEditor editor(options(kNoBias));
+    EditorState& state = editor.model().state;
+    state.window.open_page = Page::Error;
+    editor.settle();
+    EditorRequests save = editor.frame();
+    save.save_error = file.string();
+    editor.model().fulfil(save);
+    ASSERT_TRUE(state.files.replace) << "nobody was asked";
+    EXPECT_EQ(state.files.replace->path, file.string());
+    EXPECT_TRUE(state.files.replace->errors);
+    state.files.replace.reset();  // cancelled
+    editor.settle();
+    EXPECT_EQ(file_bytes(file), "mine");
+    save.replace = true;
+    editor.model().fulfil(save);
+    editor.settle();
+    EXPECT_TRUE(nlohmann::json::parse(std::ifstream(file)).contains("error"));
+    std::ofstream(file) << "a preset";
+    state.files.preset_path = file.string();
+    editor.model().fulfil(save);
+    EXPECT_NE(state.log.lines().back().text.find("name another file"), std::string::npos);
+    editor.settle();
+    EXPECT_EQ(file_bytes(file), "a preset") << "the open preset was replaced";
+}
+
 /// Returns the pixels of a column range of the scene picture, without its upper fifth, where labels are.
 std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& view, double from, double to) {
     const ByteImage image = editor.picture();
@@ -384,6 +416,29 @@ TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
     editor.settle();
     EXPECT_FALSE(facts()->problem.empty());
     EXPECT_EQ(facts()->picture.texture, 0u);
+}
+
+SI_TEST_IS(Later, EditorPictureComparison, BothSidesHaveMapsOfTheFrozenCamera);
+TEST(EditorPictureComparison, BothSidesHaveMapsOfTheFrozenCamera) {
+    HeadlessEditor editor(
+        options({"light.cascades=3", "filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
+    editor.settle();
+    EditorState& state = editor.model().state;
+    const auto facts = [&] { return editor.model().facts().picture_comparison; };
+    pin_settings(state);
+    state.frozen = frozen_camera_of(*editor.model().facts().result, state.settings.camera);
+    state.settings.camera.source = CameraSource::Manual;
+    state.settings.camera.distance = 9;
+    state.settings.camera.azimuth += 120;
+    state.compare = {CompareKind::Pinned, {}};
+    state.comparison = {.view = ComparisonView::Difference, .reference = false};
+    editor.settle();
+    ASSERT_TRUE(facts() && facts()->difference.texture);
+    EXPECT_EQ(facts()->mae, 0);
+    state.frozen.reset();
+    editor.settle();
+    ASSERT_TRUE(facts() && facts()->difference.texture);
+    EXPECT_EQ(facts()->mae, 0) << "the pinned side is drawn again, too";
 }
 
 SI_TEST_IS(Later, EditorPictureComparison, PinIsFlickeredAndCompared);

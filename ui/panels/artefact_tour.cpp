@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/measure/axes.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
@@ -34,10 +35,16 @@ std::string_view cause_label(Artefact cause) {
     return "an unknown cause";
 }
 
-/// Returns true if clusters are the same under both settings. Those of the view do not matter.
-bool same_picture(Settings a, const Settings& b) {
-    a.view = b.view;
-    return a == b;
+std::uint64_t scene_id(const EditorFrame& frame) {
+    return frame.scene ? frame.scene->id : 0;
+}
+
+/// Returns true if the tour's clusters are those of the present picture and its shown light. Display aids (view.*) do
+/// not matter.
+bool is_of_present_picture(const EditorState& state, const EditorFrame& frame) {
+    const ArtefactTour& tour = state.artefact_tour;
+    return !tour.of.spots.empty() && tour.scene == scene_id(frame) &&
+           measured_settings(tour.left) == measured_settings(state.settings);
 }
 
 /// Moves the camera towards a cluster along the ray of its pixel, so that no surface comes between.
@@ -85,8 +92,8 @@ void go_to_spot(EditorState& state, const EditorFrame& frame, std::size_t at) {
     state.keyboard.probe_has_arrows = true;
     if (!state.shows(Page::Error)) show_pixel(state);
     tour.left = state.settings;
-    tour.scene = state.scene_name;
-    state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
+    tour.scene = scene_id(frame);
+    state.log.add(LogKind::Info, "At " + artefact_tour_text(state, frame));
 }
 
 }  // namespace
@@ -121,8 +128,7 @@ void next_artefact(EditorState& state, const EditorFrame& frame) {
     if (!frame.result) return;
     if (tour.waits_for != 0)
         return state.log.add(LogKind::Info, "Still looking for where the picture is wrong: X again when it is found");
-    if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left))
-        return go_to_spot(state, frame, (tour.at + 1) % tour.of.spots.size());
+    if (is_of_present_picture(state, frame)) return go_to_spot(state, frame, (tour.at + 1) % tour.of.spots.size());
     tour.of = {};
     tour.waits_for = ++tour.asked;
     state.log.add(LogKind::Info, "Looking for where the picture is wrong …");
@@ -156,10 +162,10 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
     return false;
 }
 
-std::string artefact_tour_text(const EditorState& state) {
+std::string artefact_tour_text(const EditorState& state, const EditorFrame& frame) {
     const ArtefactTour& tour = state.artefact_tour;
     if (tour.waits_for != 0) return "looking for it";
-    if (tour.of.spots.empty() || !same_picture(state.settings, tour.left)) return {};
+    if (!is_of_present_picture(state, frame)) return {};
     const ArtefactSpot& spot = tour.of.spots[tour.at];
     return fmt::format("{}, {} of {}: {} pixel{}", cause_label(state.artefacts.cause), tour.at + 1,
                        tour.of.spots.size(), spot.pixels, spot.pixels == 1 ? "" : "s");

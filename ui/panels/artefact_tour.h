@@ -1,6 +1,7 @@
 // Tour of the clusters of wrong pixels, largest first.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,9 +40,9 @@ struct ArtefactTour {
     int waits_for = 0;              ///< number of the request that is not fulfilled yet; 0: none
     int asked = 0;                  ///< number of the last request
     ArtefactSpots of;
-    std::size_t at = 0;  ///< index of the cluster that the camera was moved to last
-    Settings left;       ///< settings after the last step; other settings restart the tour
-    std::string scene;   ///< scene after the last step; another one restarts the tour
+    std::size_t at = 0;       ///< index of the cluster that the camera was moved to last
+    Settings left;            ///< settings after the last step; other settings restart the tour
+    std::uint64_t scene = 0;  ///< Scene::id after the last step; another one restarts the tour
 };
 
 struct EditorState;
@@ -61,6 +62,6 @@ void next_artefact(EditorState& state, const EditorFrame& frame);
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
 /// Formats the position in the tour of wrong pixels: "acne, 2 of 7: 153 pixels". Returns "looking for it" while the
 /// clusters of wrong pixels are not known, and an empty text when no cluster is shown.
-std::string artefact_tour_text(const EditorState& state);
+std::string artefact_tour_text(const EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -188,7 +188,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     same_line_if_fits(button_width("Improve..."));
     if (ImGui::Button("Improve...")) open_improve(state, ImproveMode::Picture);
     plain_tooltip("Fixes of the picture, the least bias, and settings that it can do without: tab Improve");
-    const std::string tour = artefact_tour_text(state), status = reference_status(frame);
+    const std::string tour = artefact_tour_text(state, frame), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     same_line_if_fits(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
     next_button(state, frame, tour);
