@@ -215,7 +215,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
     bool changed = poll();
     missed_.cancel_reference |= requests.cancel_reference;
     if (requests.save_error) missed_.save_error = requests.save_error;
-    if (under_way()) return changed;
+    if (busy()) return changed;  // a frame that has ended since poll() is fetched by the next call
     EditorRequests requested = requests;
     requested.cancel_reference = std::exchange(missed_.cancel_reference, false);
     requested.save_error = std::exchange(missed_.save_error, {});

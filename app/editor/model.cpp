@@ -27,6 +27,14 @@ double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Returns true if the requests start work that draws the shown scene, or a copy of it, under the present settings.
+bool draws_scene(const EditorRequests& requests) {
+    return requests.export_file || requests.write_report || requests.tune || requests.find_fixes ||
+           requests.find_advice || requests.find_waste || requests.compare_pipelines || requests.measure_shimmer ||
+           requests.measure_along || requests.measure_day || requests.measure_conversion ||
+           requests.measure_saved_times || requests.start_sweep;
+}
+
 }  // namespace
 
 Page page_named(const std::string& name) {
@@ -214,6 +222,12 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     if (requests.welcomed) persistence_.note_welcome();
     follow_memory(requests.want_memory);
     bool changed = frames_.poll();
+    // Work starts on the scene as the settings pose it, which must not change while a frame of it is drawn.
+    const bool poses_first = draws_scene(requests) && scenes_.scene_settings_changed();
+    if (poses_first) {
+        frames_.wait();
+        changed |= frames_.poll();
+    }
     const std::optional<ReferenceFacts>& reference = frames_.facts().reference;
     session_.note_tracing(reference && reference->doing == "Tracing rays" ? std::optional(reference->progress)
                                                                           : std::nullopt);
@@ -226,6 +240,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     const auto request = [&](bool requested, const auto& what) {
         if (requested) changed |= attempt(state, what);
     };
+    request(poses_first, [&] { scenes_.follow_scene_settings(); });
     request(requests.cancel_load, [&] {
         scenes_.cancel_loading();
         scenes_.reset_file_choices();
@@ -257,8 +272,12 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.save_error.has_value(), [&] {
         const std::string path = *std::exchange(requests.save_error, {});
         if (const Scene* scene = scenes_.scene())
-            require_outputs_not_read(std::vector<std::filesystem::path>{path}, *scene, {});
-        requests.save_error = path;
+            require_outputs_not_read(std::vector<std::filesystem::path>{path}, *scene, state.files.preset_path);
+        require_writable(path);
+        if (!requests.replace && is_taken(path))
+            state.files.replace = Replacement{.path = path, .errors = true};
+        else
+            requests.save_error = path;
     });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });

@@ -43,6 +43,9 @@ public:
     const Autosave::Lost* lost() const { return autosave_.lost(); }
     /// Deletes the session that a crash has left.
     void forget_lost() { autosave_.forget_lost(); }
+    /// Turns the session that a crash has left into unsaved work of this editor, after the user has restored it. Its
+    /// file is deleted once autosave has written the session again.
+    void adopt_lost() { autosave_.adopt_lost(); }
     /// Writes the workspace file and ends autosave, at the editor's end.
     /// @param unsaved true: keeps the autosave file, for the next start to offer, because no saved preset has the
     /// settings; false: deletes the file

@@ -36,11 +36,15 @@ PresetRequestHandler::PresetRequestHandler(EditorState& state, EditorPersistence
 void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
     Arrival arrival{
         .scene_name = plan.scene_name, .file = file_choices(plan.settings.scene), .remark = std::move(remark)};
-    if (plan.preset)
-        arrival.guide = note(plan.preset_path, *plan.preset, plan.scene_name);
-    else if (const auto hard = std::ranges::find(hard_cases_, plan.scene_name, &PresetEntry::key);
-             hard != hard_cases_.end())
+    if (plan.preset) {
+        arrival.guide = {plan.preset_path, plan.preset->title, plan.preset->about};
+        arrival.when_shown = [this, path = plan.preset_path, preset = *plan.preset, scene = plan.scene_name] {
+            note_opened(path, preset, scene);
+        };
+    } else if (const auto hard = std::ranges::find(hard_cases_, plan.scene_name, &PresetEntry::key);
+               hard != hard_cases_.end()) {
         arrival.guide = {hard->key, hard->title, hard->about};  // a hard case is a scene, too
+    }
     arrival.plan = std::move(plan);
     scenes_.load(std::move(arrival));
 }
@@ -61,7 +65,8 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
     if (has_own_scene && !shown) return start(std::move(plan), remark);
     if (has_own_scene) scenes_.cancel_loading();  // the preset belongs to the shown scene
     const std::vector<std::string> left_out = scenes_.apply_settings(plan.settings, name_or_path);
-    state_.files.guide = note(name_or_path, *plan.preset, plan.scene_name);
+    note_opened(name_or_path, *plan.preset, plan.scene_name);
+    state_.files.guide = {name_or_path, plan.preset->title, about};
     state_.log.add(LogKind::Info, remark);
     for (const std::string& text : left_out) report(state_, text);
 }
@@ -89,15 +94,13 @@ void PresetRequestHandler::save(const std::string& path, const std::optional<std
     state_.log.add(LogKind::Info, "Saved " + path);
 }
 
-GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
+void PresetRequestHandler::note_opened(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
     state_.files.hidden_guide.clear();
+    if (is_built_in(name_or_path)) return;
     if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
-    if (!is_built_in(name_or_path)) {
-        state_.files.preset_path = name_or_path;
-        persistence_.note_preset(name_or_path);
-        files_[absolute_path(name_or_path)] = preset;
-    }
-    return {name_or_path, preset.title, preset.about};
+    state_.files.preset_path = name_or_path;
+    persistence_.note_preset(name_or_path);
+    files_[absolute_path(name_or_path)] = std::move(preset);
 }
 
 bool PresetRequestHandler::is_built_in(const std::string& key) const {
@@ -112,26 +115,33 @@ const Preset* PresetRequestHandler::known_file() const {
 
 void PresetRequestHandler::load_comparison(const Scene& scene) {
     const CompareWith& with = state_.compare;
-    if (with.kind == CompareKind::Preset && comparison_ && comparison_->with == with) return;
+    if (with.kind == CompareKind::Preset && comparison_ && comparison_->with == with) {
+        // The file of the compared scene may have been opened under another path since.
+        if (comparison_->scene != state_.scene_name) comparison_->scene = scenes_.known_name(comparison_->scene);
+        return;
+    }
     comparison_ = {with, {}, {}, {}};
     const auto compare_with = [&](const auto& other) {
         comparison_->settings = other.settings;
         comparison_->scene = other.scene;
     };
     try {
-        if (with.kind == CompareKind::Preset)
-            compare_with(load_preset(with.preset));
-        else if (with.kind == CompareKind::Pinned && state_.pinned)
+        if (with.kind == CompareKind::Preset) {
+            Preset preset = load_preset(with.preset);
+            preset.scene = scenes_.known_name(scene_of_preset(preset, with.preset));
+            compare_with(preset);
+        } else if (with.kind == CompareKind::Pinned && state_.pinned) {
             compare_with(*state_.pinned);
-        else if (with.kind == CompareKind::Tried && state_.tried)
+        } else if (with.kind == CompareKind::Tried && state_.tried) {
             compare_with(*state_.tried);
-        else if (with.kind == CompareKind::Tried)
+        } else if (with.kind == CompareKind::Tried) {
             throw Error("Nothing is tried; Auto bias tries every kind of bias");
-        else if (with.kind == CompareKind::Pinned)
+        } else if (with.kind == CompareKind::Pinned) {
             throw Error(
                 fmt::format("Nothing is pinned; {} pins the present settings as A", key_text(Command::PinSettings)));
-        else if (with.kind != CompareKind::Defaults)
+        } else if (with.kind != CompareKind::Defaults) {
             compare_with(Preset{.scene = state_.scene_name, .settings = base_settings(scene)});
+        }
     } catch (const std::exception& e) {
         comparison_->problem = e.what();
     }

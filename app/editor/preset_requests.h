@@ -51,10 +51,10 @@ public:
     bool would_be_lost() const;
 
 private:
-    /// Registers an opened preset. A preset file becomes the file that saving writes, and enters the recent files; a
-    /// built-in preset does neither. Returns title and description for the editor to show.
+    /// Registers an opened preset; call once its scene is shown. A preset file becomes the file that saving writes, and
+    /// enters the recent files; a built-in preset does neither.
     /// @param scene_name name of the preset's scene, as the editor knows it
-    GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
+    void note_opened(const std::string& name_or_path, Preset preset, const std::string& scene_name);
     /// Returns true if the key names a preset that ships with the program: a guided one (with a sentence on what to
     /// look at) or a hard case.
     bool is_built_in(const std::string& key) const;

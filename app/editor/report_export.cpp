@@ -35,7 +35,7 @@ ReportSubject unnamed_subject(const char* name, const std::string& scene_name, c
 void ReportExport::start(const Scene& scene, glm::ivec2 size, const ReportRequest& request) {
     problem_.clear();
     wrote_.clear();
-    replaces_ = false;
+    taken_.clear();
     try {
         const std::vector<std::filesystem::path> outputs{request.output};
         require_output(request.output, "the report", {".html"});
@@ -44,7 +44,7 @@ void ReportExport::start(const Scene& scene, glm::ivec2 size, const ReportReques
                                  std::vector<std::filesystem::path>(request.presets.begin(), request.presets.end()));
         std::error_code error;
         if (!request.replace && std::filesystem::exists(std::filesystem::symlink_status(request.output, error))) {
-            replaces_ = true;
+            taken_ = request.output;
             problem_ =
                 fmt::format("{}: the file exists; press Replace, or choose another name", printable(request.output));
             return;
@@ -101,7 +101,7 @@ bool ReportExport::poll() {
 }
 
 ReportFacts ReportExport::facts() const {
-    return {.writing = job_.progress(), .problem = problem_, .wrote = wrote_, .replaces = replaces_};
+    return {.writing = job_.progress(), .problem = problem_, .wrote = wrote_, .taken = taken_};
 }
 
 }  // namespace si

@@ -34,7 +34,7 @@ public:
 private:
     EditorState& state_;
     std::string path_, problem_, wrote_;
-    bool replaces_ = false;
+    std::string taken_;                     ///< path of the last request where a file exists
     Job<std::string, SearchProgress> job_;  ///< its result: HTML text of the report
 };
 

@@ -62,7 +62,7 @@ void SceneLoader::show(Arrival arrival) {
     state_.settings = *arrival.settings;
     check_objects(scene_, state_.settings, arrival.scene_name, &left_out);
     state_.files.guide = arrival.guide;
-    if (arrival.lost) persistence_.forget_lost();
+    if (arrival.lost) persistence_.adopt_lost();
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
     for (const std::string& text : left_out) report(state_, text);
 }
@@ -160,7 +160,7 @@ void SceneLoader::show_reloaded(Scene loaded, const Arrival& arrival) {
     state_.settings = kept;
     if (kept != before) state_.history.amend_step(before, kept);
     posed_ = kept.scene;
-    given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
+    given_at_[{arrival.scene_name, arrival.guide.key, arrival.file}] = given_;
     follow_objects();
     watch_.watch_files(scene_.files);
     std::set<std::string> selected = selected_objects(state_);
@@ -200,7 +200,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
         if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
         // Earlier changes stay unsaved in the new scene.
-        const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
+        const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key, arrival.file});
         given_ = !arrival.settings                             ? rebased(given_, base_, base)
                  : arrival.step && was_here != given_at_.end() ? was_here->second
                                                                : base;
@@ -213,7 +213,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     set_file_choices(state_.settings.scene, file_);
     posed_ = state_.settings.scene;
     set_file_choices(given_.scene, file_);
-    given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
+    given_at_[{arrival.scene_name, arrival.guide.key, arrival.file}] = given_;
     follow_objects();
     watch_.watch_files(scene_.files);
     has_scene_ = true;
@@ -224,7 +224,8 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     state_.files.guide = arrival.guide;
     arrival_.step = state_.between_steps = false;
     persistence_.note_scene(state_.scene_name);
-    if (arrival.lost) persistence_.forget_lost();
+    if (arrival.when_shown) arrival.when_shown();
+    if (arrival.lost) persistence_.adopt_lost();
     if (first) {
         state_.history.set_place({state_.scene_name, state_.files.guide});
         state_.history.reset(state_.settings);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/editor/persistence.h"
@@ -30,6 +32,8 @@ struct Arrival {
     /// Request to read the shown scene's changed files again; settings, camera and selection stay.
     bool reload = false;
     double aspect = 1;  ///< with `reload`: width / height of the picture, needed to keep its camera
+    /// Function that is called once the scene is loaded and shown; empty: none.
+    std::function<void()> when_shown = {};
 };
 
 /// Owner of the editor's scene: reads scenes in the background, shows a scene once it is loaded, and poses the shown
@@ -86,7 +90,8 @@ public:
     const SceneLoading& loading() const { return loading_; }
     /// Returns true if a step of undo or redo, which belongs to another scene, waits for show_undo_step().
     bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
-    /// Shows a step of undo or redo that belongs to another scene. Loads the scene first unless it is shown already.
+    /// Shows a step of undo or redo that belongs to another scene, or to the scene as read with another scene.index,
+    /// scene.up or scene.unit. Loads the scene first unless it is shown already.
     void show_undo_step();
     /// Returns true if the shown scene does not match its settings: scene.* (scene of the file, time, placement) or
     /// those of objects. follow_scene_settings() then updates the scene.
@@ -147,8 +152,8 @@ private:
     FileChoices file_;       ///< scene.index, scene.up and scene.unit of the shown scene
     FileChoices seen_file_;  ///< scene.index, scene.up and scene.unit as last acted upon
     Settings given_;
-    /// Original settings by scene name and preset key, for steps of undo that return to the scene.
-    std::map<std::pair<std::string, std::string>, Settings> given_at_;
+    /// Original settings by scene name, preset key and file choices, for steps of undo that return to the scene.
+    std::map<std::tuple<std::string, std::string, FileChoices>, Settings> given_at_;
     Arrival arrival_;
     SceneLoading loading_;
     SceneWatch watch_;

@@ -77,6 +77,18 @@ void Autosave::forget_lost() {
     find_lost();
 }
 
+void Autosave::adopt_lost() {
+    if (!lost_) return;
+    settled_.push_back(lost_->file);
+    adopted_.emplace(std::move(*lost_));
+    lost_.reset();
+    // A state without a scene: the restored session differs from it, so that it is unsaved and the next write is due.
+    first_.emplace();
+    known_ = first_;
+    next_write_s_ = 0;
+    find_lost();
+}
+
 bool Autosave::claim_file() {
     if (lock_) return true;
     make_folders(folder_);
@@ -89,14 +101,19 @@ bool Autosave::claim_file() {
     return bool(lock_);
 }
 
-void Autosave::write(const std::string& scene, const Settings& settings) {
+bool Autosave::write(const std::string& scene, const Settings& settings) {
     try {
         if (!claim_file()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
         save_preset({.scene = absolute_name(scene), .settings = settings}, file_);
     } catch (const std::exception& e) {
-        remarks_.push_back(fmt::format("a crash would lose the present settings: {}", e.what()));
-        folder_.clear();
+        if (!std::exchange(failed_, true))
+            remarks_.push_back(fmt::format("a crash would lose the present settings: {}", e.what()));
+        return false;
     }
+    failed_ = false;
+    if (adopted_) remove_session(adopted_->file);
+    adopted_.reset();
+    return true;
 }
 
 void Autosave::update(const std::string& scene, const Settings& settings, double now_s) {
@@ -112,12 +129,12 @@ void Autosave::update(const std::string& scene, const Settings& settings, double
         known_ = first_;
     }
     if (known_->first == scene && known_->second == settings) return;
-    write(scene, settings);
-    known_.emplace(scene, settings);
+    if (write(scene, settings)) known_.emplace(scene, settings);
     next_write_s_ = now_s + kSeconds;
 }
 
 void Autosave::end(const std::string& scene, const Settings& settings, bool unsaved) {
+    if (folder_.empty()) return;
     Settings work = settings;
     if (first_) {
         work.camera = first_->second.camera;
@@ -125,10 +142,13 @@ void Autosave::end(const std::string& scene, const Settings& settings, bool unsa
     }
     // Moves of the camera are not saved work.
     const bool keep = unsaved && first_ && (first_->first != scene || first_->second != work);
-    if (keep && !folder_.empty())
-        write(scene, settings);
-    else if (lock_)
-        remove_session(file_);
+    if (keep) {
+        write(scene, settings);  // on an error the files written before stay
+    } else {
+        if (lock_) remove_session(file_);
+        if (adopted_) remove_session(adopted_->file);
+    }
+    adopted_.reset();
     lock_.release();
     folder_.clear();
 }

@@ -32,9 +32,12 @@ public:
     };
     /// Returns the work of a crashed editor that the user may restore; null: none.
     const Lost* lost() const { return lost_ ? &*lost_ : nullptr; }
-    /// Removes the autosave file of a crashed editor (lost()) after the user has restored or declined it. Then looks
-    /// for the next such file.
+    /// Removes the autosave file of a crashed editor (lost()) after the user has declined it. Then looks for the next
+    /// such file.
     void forget_lost();
+    /// Turns the work of a crashed editor (lost()) into unsaved work of this editor, after the user has restored it.
+    /// The next update() writes it, and only then removes the crashed editor's file. Looks for the next such file.
+    void adopt_lost();
 
     /// Writes scene and settings to the autosave file if they have changed since the last write; before the first
     /// write, since the editor opened. Writes at most every kSeconds. Call every frame. Never throws: errors go to
@@ -54,16 +57,19 @@ private:
     void find_lost();
     /// Makes and locks the autosave file of this editor. Returns false if no file can be locked.
     bool claim_file();
-    /// Writes scene and settings to the autosave file of this editor. After an error autosave is off.
-    void write(const std::string& scene, const Settings& settings);
+    /// Writes scene and settings to the autosave file of this editor, and then removes the file of a restored session.
+    /// Returns false after an error; the first of several in a row goes to the remarks.
+    bool write(const std::string& scene, const Settings& settings);
 
     std::filesystem::path folder_;  ///< empty: off
     std::filesystem::path file_;
     LockFile lock_;
     std::optional<Lost> lost_;
+    std::optional<Lost> adopted_;                            ///< restored session that this editor has not written yet
     std::vector<std::filesystem::path> settled_;             ///< lost sessions that were restored or declined
     std::optional<std::pair<std::string, Settings>> known_;  ///< state at the last write, or at the start
-    std::optional<std::pair<std::string, Settings>> first_;  ///< state at the start
+    std::optional<std::pair<std::string, Settings>> first_;  ///< state at the start; without a scene after adopt_lost()
+    bool failed_ = false;                                    ///< the last write failed; the next one tries again
     double next_write_s_ = 0;
     std::optional<double> look_again_s_;  ///< time of the next search for lost sessions; infinite: never
     std::vector<std::string> remarks_;

@@ -23,15 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a preset's scene: relative to the working directory if it exists there, else to the preset's
-/// folder.
-std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
-    std::error_code error;
-    if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
-    const fs::path in_folder = fs::path(preset_path).parent_path() / preset.scene;
-    return fs::exists(in_folder, error) ? in_folder.string() : preset.scene;
-}
-
 /// Returns true if the plan names this scene.
 bool is_one_scene(const std::string& scene, const SessionPlan& plan) {
     std::error_code error;
@@ -65,6 +56,13 @@ void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::s
 }
 
 }  // namespace
+
+std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
+    std::error_code error;
+    if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
+    const fs::path in_folder = fs::path(preset_path).parent_path() / preset.scene;
+    return fs::exists(in_folder, error) ? in_folder.string() : preset.scene;
+}
 
 GltfOptions scene_options(const SessionPlan& plan) {
     return {.file = file_choices(plan.settings.scene)};

@@ -53,6 +53,11 @@ struct SessionPlan {
 /// @throws UsageError; Error for an unreadable preset
 SessionPlan plan_session(const SessionOptions& options);
 
+/// Returns the name of a preset's scene for load_scene(). A path is relative to the working directory if the file
+/// exists there, else to the preset's folder. Empty if the preset names no scene.
+/// @param preset_path path of the preset's file, or key of a built-in preset
+std::string scene_of_preset(const Preset& preset, const std::string& preset_path);
+
 /// Returns the options with which load_scene() reads the scene of a session plan: the scene inside the file, its up
 /// axis and unit.
 GltfOptions scene_options(const SessionPlan& plan);

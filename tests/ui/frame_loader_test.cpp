@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "app/editor/shader_warmup.h"
@@ -106,7 +107,9 @@ TEST(FrameLoader, RequestDuringAFrameIsServedAfterIt) {
     select_kernel(*editor, "pcf5");
     EditorRequests requests = editor->frame();
     ASSERT_TRUE(editor->model().drawing());
-    requests.save_error = "/nowhere/error.json";
+    const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "frame_loader_error.json";
+    std::filesystem::remove(file);
+    requests.save_error = file.string();
     editor->model().fulfil(requests);
     editor->settle();
     const auto& lines = editor->model().state.log.lines();

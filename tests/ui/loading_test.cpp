@@ -224,16 +224,19 @@ TEST(Loading, PresetWaitsForItsSceneAndIsCancelledWithIt) {
     Loading l;
     l.puppet.advance(0.5);
     const double bias = l.state.settings.bias.constant;
+    const std::string saved_to = l.state.files.preset_path;
     l.model.open(file);
     EXPECT_EQ(l.facts()->name, "town.gltf");
     l.cancel();
     l.model.finish_loading();
     EXPECT_EQ(l.state.settings.bias.constant, bias);
+    EXPECT_EQ(l.state.files.preset_path, saved_to) << "saving would replace a preset that is not shown";
     l.model.open(file);
     l.puppet.release();
     l.editor.settle();
     EXPECT_EQ(l.shown(), "town.gltf");
     EXPECT_EQ(l.state.settings.bias.constant, 3.25);
+    EXPECT_EQ(l.state.files.preset_path, file.string());
 }
 
 TEST(Loading, FirstSceneIsReadOnceWhileTheEditorDraws) {

@@ -5,6 +5,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <chrono>
+#include <optional>
+
+#include "tests/support/process.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
@@ -227,6 +231,30 @@ TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     redo(state);
     editor.frames(3);
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
+}
+
+SI_TEST_IS(Later, Playback, WorkStartsOnTheSceneAsItsSettingsPoseIt);
+TEST(Playback, WorkStartsOnTheSceneAsItsSettingsPoseIt) {
+    using Patience = std::optional<std::chrono::milliseconds>;
+    for (const Patience patience : {Patience(), Patience(0)}) {
+        Film film;
+        film.options.frame_patience = patience;
+        test::TestEditor editor(film.options);
+        const auto exported = [&](const char* name) {
+            EditorRequests requests = editor.requests();
+            requests.export_file = ExportRequest{ExportKind::Picture, (film.folder.path() / name).string()};
+            editor.model().fulfil(requests);
+            return file_bytes(film.folder.path() / name);
+        };
+        const std::string start = exported("start.png");
+        editor.state().settings.scene.time = 0.25;
+        editor.model().fulfil(editor.requests());  // with a drawing thread, the frame is still under way
+        editor.state().settings.scene.time = 0.5;
+        const std::string at_once = exported("at_once.png");
+        editor.settle();
+        EXPECT_TRUE(at_once != start);
+        EXPECT_TRUE(at_once == exported("later.png"));
+    }
 }
 
 SI_TEST_IS(Later, Playback, HeadlessEditorShowsTheTimeOfTheSettings);

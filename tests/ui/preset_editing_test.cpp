@@ -220,6 +220,36 @@ TEST_F(PresetEditing, OpenedPresetCanBeSavedAndKeepsItsTexts) {
     EXPECT_EQ(saved.settings.map.resolution, 64);
 }
 
+TEST_F(PresetEditing, PresetWhoseSceneDoesNotLoadIsNotReplacedBySaving) {
+    save_preset({"T", "P", "Look here.", path("missing.gltf"), {}}, path("b.json"));
+    const std::string bytes = file_bytes(path("b.json"));
+    open(remembering());
+    request({.save_preset = path("a.json")});
+    request({.load_preset = path("b.json")});
+    EXPECT_EQ(state().scene_name, "boxes");
+    EXPECT_EQ(state().files.preset_path, path("a.json"));
+    ASSERT_EQ(model().facts().recent_presets.size(), 1u);
+    EXPECT_EQ(model().facts().recent_presets[0], path("a.json"));
+    request({.save_preset = path("b.json")});
+    EXPECT_TRUE(state().files.replace) << "nobody was asked";
+    EXPECT_EQ(file_bytes(path("b.json")), bytes);
+}
+
+TEST_F(PresetEditing, ComparedPresetHasTheShownScene) {
+    save_gltf(load_scene("boxes"), folder_ / "own.gltf");
+    open(preset_options(path("own.gltf")));
+    request({.save_preset = path("p.json")});
+    ASSERT_EQ(load_preset(path("p.json")).scene, "own.gltf");
+    state().compare = {CompareKind::Preset, path("p.json")};
+    state().window.open_page = Page::Compare;
+    editor_->settle();
+    ASSERT_TRUE(model().facts().comparison);
+    EXPECT_EQ(model().facts().comparison->problem, "");
+    EXPECT_EQ(model().facts().comparison->scene, state().scene_name);
+    request({.load_scene = "plane"});
+    EXPECT_EQ(model().facts().comparison->scene, path("own.gltf")) << "a path that opens from anywhere";
+}
+
 TEST_F(PresetEditing, PresetNamesItsSceneByAPathThatWorksAnywhere) {
     save_gltf(load_scene("boxes"), folder_ / "own.gltf");
     open(preset_options(path("own.gltf")));
@@ -306,6 +336,37 @@ TEST_F(PresetEditing, UndoAndRedoWorkAcrossScenes) {
     expect_no_errors();
 }
 
+SI_TEST_IS(Later, PresetEditing, UndoOverAnotherUpAxisKeepsCameraObjectsAndRedo);
+TEST_F(PresetEditing, UndoOverAnotherUpAxisKeepsCameraObjectsAndRedo) {
+    save_gltf(load_scene("boxes"), folder_ / "turned.gltf");
+    open(preset_options(path("turned.gltf")));
+    const Settings first = state().settings;
+    state().settings.camera.source = CameraSource::Manual;
+    state().settings.camera.azimuth += 30;
+    editor_->settle();
+    const Scene& scene = *model().facts().scene;
+    state().settings.objects[scene.nodes[std::size_t(scene.objects.front().node)].path].shown = false;
+    editor_->settle();
+    const Settings placed = state().settings;
+    set_setting(state().settings, "scene.up", "z");
+    editor_->settle();
+    const Settings turned = state().settings;
+    ASSERT_FALSE(turned.camera == placed.camera) << "the turned scene has its own camera";
+    undo();
+    undo();
+    EXPECT_EQ(state().settings, placed);
+    EXPECT_FALSE(model().facts().scene->hidden.empty());
+    EXPECT_TRUE(state().history.can_redo());
+    redo();
+    redo();
+    EXPECT_EQ(state().settings, turned);
+    EXPECT_FALSE(state().history.can_redo());
+    while (state().history.can_undo()) undo();
+    EXPECT_EQ(state().settings, first);
+    EXPECT_FALSE(model().facts().unsaved) << "the settings that the scene began with";
+    expect_no_errors();
+}
+
 TEST_F(PresetEditing, UndoWithoutItsSceneChangesNothing) {
     save_gltf(load_scene("boxes"), folder_ / "gone.gltf");
     open(preset_options(path("gone.gltf")));
@@ -375,6 +436,33 @@ TEST_F(PresetEditing, SessionWithAMissingSceneStaysOffered) {
     request({.restore_lost = true});
     EXPECT_EQ(state().settings.bias.constant, 5);
     EXPECT_FALSE(model().facts().lost);
+}
+
+SI_TEST_IS(Later, PresetEditing, SessionRestoredAsTheFirstSceneStaysUnsaved);
+TEST_F(PresetEditing, SessionRestoredAsTheFirstSceneStaysUnsaved) {
+    open(remembering());
+    model().write_when_due();
+    state().settings.bias.constant = 5;
+    model().write_when_due();
+    EditorOptions o = remembering();
+    o.session.scene = path("missing.gltf");
+    open(o);  // the previous editor ends without end()
+    ASSERT_FALSE(model().facts().scene);
+    request({.restore_lost = true});
+    ASSERT_EQ(state().scene_name, "boxes");
+    model().write_when_due();
+    open(remembering());
+    ASSERT_TRUE(model().facts().lost) << "lost by a second crash";
+    o = remembering();
+    o.session.scene = path("missing.gltf");
+    open(o);
+    request({.restore_lost = true});
+    ASSERT_EQ(state().scene_name, "boxes");
+    model().write_when_due();
+    model().end();
+    const Autosave next(folder_ / "state");
+    ASSERT_TRUE(next.lost()) << "lost by quitting";
+    EXPECT_EQ(next.lost()->preset.settings.bias.constant, 5);
 }
 
 SI_TEST_IS(Later, PresetEditing, LayoutAndRecentFilesPersist);

@@ -488,5 +488,21 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     EXPECT_FALSE(ui.state.files.replace);
 }
 
+TEST(FileDialogs, ReplacingSavedErrorsAsksFirst) {
+    UiHarness ui(1280, 720);
+    ui.state.files.replace = Replacement{.path = "/a/error.json", .errors = true};
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"/a/error.json exists. Its contents would be lost."}), "");
+    const auto at = ui.find("Replace the file?", "", "Replace");
+    ASSERT_TRUE(at);
+    ui.move(*at);
+    ui.frames(2);
+    const EditorRequests agreed = ui.click_here();
+    EXPECT_EQ(agreed.save_error, "/a/error.json");
+    EXPECT_TRUE(agreed.replace);
+    EXPECT_FALSE(agreed.save_preset);
+    EXPECT_FALSE(ui.state.files.replace);
+}
+
 }  // namespace
 }  // namespace si::test

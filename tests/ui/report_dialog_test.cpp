@@ -46,6 +46,24 @@ TEST(ReportDialogTest, TheMenuOpensItAndItsButtonRequestsAPage) {
     EXPECT_EQ(ui.lacking({"30%", "acne: error", "Cancel"}), "");
 }
 
+TEST(ReportDialogTest, ReplacesOnlyTheFileThatItNamed) {
+    for (const char* path : {"a.html", "b.html"}) {
+        UiHarness ui(1280, 720);
+        ui.report.taken = "a.html";
+        ui.state.report.output = path;
+        ui.state.report.asked = true;
+        ui.frames(4);  // the path has the keyboard
+        bool& enter = ImGui::GetIO().KeysDown[ImGui::GetKeyIndex(ImGuiKey_Enter)];
+        enter = true;
+        EditorRequests asked = ui.frame();
+        enter = false;
+        if (!asked.write_report) asked = ui.frame();
+        ASSERT_TRUE(asked.write_report) << path;
+        EXPECT_EQ(asked.write_report->output, path);
+        EXPECT_EQ(asked.write_report->replace, path == ui.report.taken) << path;
+    }
+}
+
 class EditorReport : public testing::Test {
 protected:
     EditorReport() : editor_(editor_options("boxes", {"map.resolution=256"})) {}
@@ -73,7 +91,7 @@ TEST_F(EditorReport, WritesPresentPinnedAndPresetSettings) {
                              "--set map.resolution=128", "data:image/svg+xml"})
         EXPECT_NE(html.find(part), std::string::npos) << part;
     facts = write({.output = file, .presets = {}});
-    EXPECT_TRUE(facts.replaces);
+    EXPECT_EQ(facts.taken, file);
     EXPECT_NE(facts.problem.find("the file exists"), std::string::npos);
     EXPECT_EQ(file_bytes(file), html);
     facts = write({.output = file, .replace = true, .presets = {}, .pixel = glm::ivec2(10, 20)});

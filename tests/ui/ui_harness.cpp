@@ -153,6 +153,7 @@ EditorRequests UiHarness::frame() {
         static_cast<LabFacts&>(facts) = lab;
         static_cast<LightStripFacts&>(facts) = light_strip;
         facts.report = report;
+        facts.conversion = conversion ? &*conversion : nullptr;
         facts.health = health;
         static_cast<ImportedFacts&>(facts) = imported;
         facts.memory = memory;

@@ -66,6 +66,7 @@ public:
     LabFacts lab;
     LightStripFacts light_strip;
     ReportFacts report;
+    std::optional<ConvertFacts> conversion;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;
     bool maps_imported = false;  ///< the lights' maps are imported, with an unknown bias

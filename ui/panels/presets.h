@@ -36,6 +36,7 @@ struct Replacement {
     std::string path;
     std::optional<std::string> about = {};    ///< sentence to save in the preset
     std::optional<ExportKind> exported = {};  ///< the frame is exported there; none: the preset is saved
+    bool errors = false;                      ///< the errors are saved there, instead of the preset
 };
 
 /// Data that menus and panels show about presets, recent files and the session that a crash has left.

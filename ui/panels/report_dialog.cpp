@@ -92,13 +92,14 @@ void draw_report_dialog(ReportDialog& dialog, const ReportFacts& facts, const Pr
         requests.cancel_report |= ImGui::Button("Cancel", {em * 6, 0});
         progress_bar(facts.writing->progress, progress_text(*facts.writing) + "  " + facts.writing->about);
     } else {
+        const bool replaces = !dialog.output.empty() && dialog.output == facts.taken;
         ImGui::BeginDisabled(dialog.output.empty());
-        write |= ImGui::Button(facts.replaces ? "Replace" : "Write", {em * 6, 0});
+        write |= ImGui::Button(replaces ? "Replace" : "Write", {em * 6, 0});
         ImGui::EndDisabled();
         if (write && !dialog.output.empty())
             requests.write_report = ReportRequest{.output = dialog.output,
                                                   .pinned = has_pinned && dialog.pinned,
-                                                  .replace = facts.replaces,
+                                                  .replace = replaces,
                                                   .presets = dialog.presets,
                                                   .pixel = dialog.probed ? probed : std::nullopt};
     }

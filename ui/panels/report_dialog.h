@@ -27,7 +27,7 @@ struct ReportFacts {
     std::optional<SearchProgress> writing;  ///< none: no report is being made
     std::string problem;                    ///< why none was written, and what to do; empty: none failed
     std::string wrote;                      ///< path of the last written report; empty: none
-    bool replaces = false;                  ///< the file of the last request exists; writing again replaces it
+    std::string taken;                      ///< path of the last request where a file exists, which may be replaced
 };
 
 /// Request to write an HTML report, which compares the present settings with pinned ones and presets.

@@ -13,10 +13,12 @@ const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings&
 
 namespace {
 
-/// Applies a step of undo at once if it belongs to the shown scene; else the step waits for its scene.
+/// Applies a step of undo at once if it belongs to the shown scene, read with the same file choices; else the step
+/// waits for its scene.
 void show_step(EditorState& state, const Settings& settings) {
     const Place& place = state.history.place();
-    state.between_steps = !place.scene.empty() && place.scene != state.scene_name;
+    const bool reads_again = file_choices(settings.scene) != file_choices(state.settings.scene);
+    state.between_steps = !place.scene.empty() && (place.scene != state.scene_name || reads_again);
     if (state.between_steps) return;
     state.settings = settings;
     state.files.guide = place.guide;

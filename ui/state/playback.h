@@ -17,7 +17,8 @@ void toggle_play(EditorState& state, const EditorFrame& frame);
 void stop_playing(EditorState& state);
 
 /// Undoes the last change of settings (the last step of the history). Stops a playing animation first and undoes its
-/// change of time. A step of another scene sets state.between_steps and is shown once its scene is loaded.
+/// change of time. A step of another scene, or with another scene.index, scene.up or scene.unit, sets
+/// state.between_steps and is shown once its scene is loaded.
 void undo(EditorState& state);
 /// Redoes the change of settings that was undone last. A step of another scene is shown once its scene is loaded, as in
 /// undo().

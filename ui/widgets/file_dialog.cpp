@@ -356,15 +356,17 @@ void draw_replace_dialog(EditorState& state, EditorRequests& requests) {
         return;
     }
     ImGui::PushTextWrapPos(std::min(em * 34, screen.x - 3 * em));
+    const bool is_preset = !state.files.replace->exported && !state.files.replace->errors;
+    const char* const unknown = is_preset ? ", and this editor has neither opened nor saved it" : "";
     ImGui::TextUnformatted(
-        fmt::format("{} exists, and this editor has neither opened nor saved it. Its contents would be lost.",
-                    state.files.replace->path)
-            .c_str());
+        fmt::format("{} exists{}. Its contents would be lost.", state.files.replace->path, unknown).c_str());
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace", {em * 6, 0}) ||
         (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
         if (state.files.replace->exported) {
             requests.export_file = ExportRequest{*state.files.replace->exported, state.files.replace->path};
+        } else if (state.files.replace->errors) {
+            requests.save_error = state.files.replace->path;
         } else {
             requests.save_preset = state.files.replace->path;
             requests.save_about = state.files.replace->about;
