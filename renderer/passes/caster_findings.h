@@ -13,14 +13,16 @@ namespace si {
 
 struct FrameState;
 
-/// Direction that triangles of a mesh face: their unit normal, and a corner of the first such triangle, mesh space.
-struct MeshSide {
+/// Plane that contains triangles of a mesh: its unit normal, and a corner of one triangle, in mesh space.
+struct MeshPlane {
     glm::dvec3 normal, corner;
 };
-/// Directions that the triangles of a mesh face, to recognise casters with a side that the light sees edge-on.
+/// Directions and planes of a mesh's triangles in mesh space, by which casters are found that the light sees edge-on.
 struct MeshSides {
-    std::vector<MeshSide> sides;  ///< empty: too many directions to test, or no triangle has an area
-    double least_height = 0;      ///< smallest height of a triangle, mesh space; 0 if any triangle is degenerate
+    std::vector<glm::dvec3> normals;  ///< differing unit normals; empty: too many to test, or no triangle has an area
+    std::vector<MeshPlane> planes;    ///< differing planes; parallel ones, such as the steps of stairs, are separate
+    bool has_all_planes = true;       ///< false: there are more planes than `planes` lists
+    double least_height = 0;          ///< smallest height of a triangle, mesh space; 0 if any triangle is degenerate
 };
 
 /// Cache keys of the depths that the scene's casters draw into a shadow map. Equal keys mean equal depths, so a cached

@@ -62,7 +62,7 @@ void set_raster_bias(const FrameState& f, const CasterRaster* raster, bool rever
         glPolygonOffset(float(used.offset_factor), float(used.offset_units));
 }
 
-constexpr std::size_t kMostSides = 1024;
+constexpr std::size_t kMostDirections = 1024, kMostPlanes = 4096;
 
 /// Sine of the angle to a ray below which a side counts as edge-on.
 constexpr double kEdgeOn = 1e-4;
@@ -82,22 +82,29 @@ constexpr double kMinDepthShare = 1e-3;
 constexpr double kCasterPadTexels = 2;
 
 MeshSides sides_of(const Mesh& mesh) {
-    std::map<std::array<int, 3>, MeshSide> sides;
+    std::map<std::array<int, 3>, glm::dvec3> normals;
+    std::map<std::array<int, 4>, MeshPlane> planes;
     double least_height = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
+    const double size = glm::length(glm::dvec3(mesh.bounds.hi) - glm::dvec3(mesh.bounds.lo));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size() && normals.size() <= kMostDirections; i += 3) {
         const glm::dvec3 a = mesh.positions[mesh.indices[i]], ab = glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
                          ac = glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a, n = glm::cross(ab, ac);
         const double length = glm::length(n);
         const double longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(ab - ac, ab - ac)}));
         if (longest > 0) least_height = std::min(least_height, length / longest);
         if (!(length > 0)) continue;
-        const glm::ivec3 steps(glm::round(n / length * 1e5));
-        sides.try_emplace({steps.x, steps.y, steps.z}, MeshSide{n / length, a});
+        const glm::dvec3 normal = n / length;
+        const glm::ivec3 steps(glm::round(normal * 1e5));
+        normals.try_emplace({steps.x, steps.y, steps.z}, normal);
+        const int place = int(std::round(glm::dot(normal, a - glm::dvec3(mesh.bounds.lo)) / size * 1e5));
+        if (planes.size() <= kMostPlanes) planes.try_emplace({steps.x, steps.y, steps.z, place}, MeshPlane{normal, a});
     }
     MeshSides out;
-    if (sides.size() > kMostSides) return out;
+    if (normals.size() > kMostDirections) return out;
     out.least_height = least_height;
-    for (const auto& [steps, side] : sides) out.sides.push_back(side);
+    for (const auto& [steps, normal] : normals) out.normals.push_back(normal);
+    out.has_all_planes = planes.size() <= kMostPlanes;
+    for (const auto& [steps, plane] : planes) out.planes.push_back(plane);
     return out;
 }
 
@@ -300,11 +307,16 @@ private:
         glm::dmat4 world = object.world;
         world[3] -= glm::dvec4(view_.origin, 0);
         const glm::dvec4 from = glm::inverse(world) * rays_from_;
-        for (const MeshSide& side : sides_of(f_, std::size_t(object.mesh)).sides) {
-            const glm::dvec3 ray = glm::dvec3(from) - side.corner * from.w;
-            if (!(std::abs(glm::dot(side.normal, ray)) > kEdgeOn * glm::length(ray))) return true;
-        }
-        return false;
+        const auto is_edge_on = [](const glm::dvec3& normal, const glm::dvec3& ray) {
+            return !(std::abs(glm::dot(normal, ray)) > kEdgeOn * glm::length(ray));
+        };
+        const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
+        if (from.w == 0)
+            return std::ranges::any_of(mesh.normals,
+                                       [&](const glm::dvec3& normal) { return is_edge_on(normal, glm::dvec3(from)); });
+        return !mesh.has_all_planes || std::ranges::any_of(mesh.planes, [&](const MeshPlane& plane) {
+            return is_edge_on(plane.normal, glm::dvec3(from) - plane.corner * from.w);
+        });
     }
 
     /// Returns true when no covered texel can get a depth outside the map's range. All sides must be far from edge-on,
@@ -313,7 +325,7 @@ private:
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
         const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
-        if (mesh.sides.empty() || mesh.sides.size() > kMaxFlatSides) return false;
+        if (mesh.normals.empty() || mesh.normals.size() > kMaxFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
         const SkewBox box = box_of(instance);
@@ -331,8 +343,8 @@ private:
             std::ldexp(kRasterPadSteps, -f_.driver.subpixel_bits) + kFloatPositionError * view_.size.longest();
         const double least_tangent = beside * glm::length(z) / (texels * before);
         const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
-        return std::ranges::all_of(mesh.sides, [&](const MeshSide& side) {
-            const double sine = std::abs(glm::dot(glm::normalize(side.normal * back), ray));
+        return std::ranges::all_of(mesh.normals, [&](const glm::dvec3& normal) {
+            const double sine = std::abs(glm::dot(glm::normalize(normal * back), ray));
             return sine > least_sine && sine > least_tangent * std::sqrt(std::max(1 - sine * sine, 0.0));
         });
     }

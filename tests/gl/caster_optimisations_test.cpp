@@ -141,6 +141,43 @@ TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
             << key << ": both sides, or the setting's";
 }
 
+/// Makes a mesh of two boxes, 1 m and 2 m high: a light can see the top of one edge-on and that of the other not.
+Mesh make_two_heights() {
+    std::vector<std::vector<glm::dvec3>> faces;
+    for (const double height : {1.0, 2.0}) {
+        const auto p = [&](int x, int y, int z) {
+            return glm::dvec3(2 * height - 3 + 0.5 * x, 0.5 * height * (1 + y), 0.5 * z);
+        };
+        faces.insert(faces.end(), {{p(-1, -1, 1), p(1, -1, 1), p(1, 1, 1), p(-1, 1, 1)},
+                                   {p(1, -1, -1), p(-1, -1, -1), p(-1, 1, -1), p(1, 1, -1)},
+                                   {p(1, -1, 1), p(1, -1, -1), p(1, 1, -1), p(1, 1, 1)},
+                                   {p(-1, -1, -1), p(-1, -1, 1), p(-1, 1, 1), p(-1, 1, -1)},
+                                   {p(-1, 1, 1), p(1, 1, 1), p(1, 1, -1), p(-1, 1, -1)},
+                                   {p(-1, -1, -1), p(1, -1, -1), p(1, -1, 1), p(-1, -1, 1)}});
+    }
+    return make_polygons("Two heights", faces);
+}
+
+TEST_F(CasterOptimisationsTest, AClosedCasterIsDrawnWholeIfOneOfItsParallelSidesIsEdgeOn) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "Boxes", -1, add_mesh(scene, "Boxes", make_two_heights(), grey), moved(100, 0, -40));
+    finalise(scene);
+    // The target is relative to the middle of the scene, which is 1 m above its lower sides.
+    const auto with_backs = [&](const char* above_middle_m) {
+        const Sets sets = {{"light.type", "spot"},  {"light.target_y", above_middle_m},
+                           {"light.azimuth", "33"}, {"light.elevation", "0"},
+                           {"light.distance", "9"}, {"light.cone", "60"}};
+        const auto triangles = [&](OptimisationSet forced) {
+            return map_pass(frame(scene, settings_for(scene, sets), forced)).triangles;
+        };
+        return triangles({Optimisation::CasterBackFaces}) - triangles({});
+    };
+    EXPECT_EQ(with_backs("0.5"), 24u) << "no side is edge-on: the optimisation draws fronts alone";
+    EXPECT_EQ(with_backs("0"), 0u) << "the top of the low box is edge-on";
+    EXPECT_EQ(with_backs("1"), 0u) << "the top of the high box is edge-on";
+}
+
 TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
