@@ -14,6 +14,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/passes/camera_drawing.h"
 #include "renderer/settings/biases.h"
+#include "renderer/view/culling/box_culling.h"
 
 namespace si {
 namespace {
@@ -29,6 +30,28 @@ gl::Target& camera_depth(FrameState& f) {
     if (f.request.force && !f.camera_depth_renewed) depth.key = 0;
     f.camera_depth_renewed = true;
     return depth;
+}
+
+/// Returns the depths of the boxes of blended objects that the camera may see, metres along its axis; nullopt: none.
+/// The depth image does not hold these objects.
+std::optional<DepthSpan> depths_of_blended_boxes(const FrameState& f) {
+    const SceneGpu& gpu = *f.gl.scene;
+    const BoxCuller culler(f.camera.clip_from_relative(f.origin), f.origin, f.camera.curve.convention, false,
+                           std::min(f.request.width, f.request.height));
+    std::optional<DepthSpan> span;
+    for (std::size_t i = 0; i < gpu.instance_objects().size(); ++i) {
+        if (!gpu.batches()[gpu.instance_batches()[i]].blend) continue;
+        const Object& o = f.scene.objects[gpu.instance_objects()[i]];
+        const SkewBox box(f.scene.meshes[std::size_t(o.mesh)].bounds, o.world);
+        if (culler.is_outside(box)) continue;
+        const double middle = glm::dot(f.camera.eye - box.centre, f.camera.axes[2]);
+        double half = 0;
+        for (int axis = 0; axis < 3; ++axis) half += std::abs(glm::dot(box.half[axis], f.camera.axes[2]));
+        const double from = std::max(middle - half, f.camera.curve.near),
+                     to = std::min(middle + half, f.camera.curve.far);
+        if (from <= to) span = {std::min(span ? span->from_m : from, from), std::max(span ? span->to_m : to, to)};
+    }
+    return span;
 }
 
 }  // namespace
@@ -87,6 +110,10 @@ std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
         const double a = curve.distance(least), b = curve.distance(greatest);
         const double slack = kSlack * std::max(std::abs(a), std::abs(b));
         span = {std::min(a, b) - slack, std::max(a, b) + slack};
+    }
+    if (const std::optional<DepthSpan> blended = depths_of_blended_boxes(f)) {
+        if (!span) span = *blended;
+        span = {std::min(span->from_m, blended->from_m), std::max(span->to_m, blended->to_m)};
     }
     info.reason = span ? fmt::format("visible depths {} to {}, for light.depth_bounds", metres_text(span->from_m),
                                      metres_text(span->to_m))

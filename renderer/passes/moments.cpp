@@ -40,14 +40,15 @@ public:
 
     /// Computes the moments of one view.
     /// @param held drawn cells of the view's map
-    void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
+    /// @param emptied the map is drawn without casters (FrameRequest::emptied)
+    void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held, bool emptied) {
         const FilterSettings& s = f_.settings.filter;
         view_ = &view;
         layer_ = layer;
         texels_ = held.texel_rects(f_.map_size);
         From from = From::Depths;
         if (sampled(f_)) {
-            draw_samples(light, view, held);
+            draw_samples(light, view, held, emptied);
             from = From::Samples;
         }
         if (filter_of(f_.settings).moments.summed) {
@@ -141,12 +142,15 @@ private:
         }
     }
 
-    void draw_samples(const FittedLight& light, const LightView& view, const MapCells& held) {
+    void draw_samples(const FittedLight& light, const LightView& view, const MapCells& held, bool emptied) {
         const bool colour = is_colour(f_.settings.map.format);
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
                           f_.map_size.width, f_.map_size.height, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
-        draw_casters(f_, into, false, light, view, info_, {.needed = &held});
+        if (emptied)
+            clear_casters(f_, into.id(), view.curve.convention);
+        else
+            draw_casters(f_, into, false, light, view, info_, {.needed = &held});
     }
 };
 
@@ -208,7 +212,8 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
         const FittedLight& light = f.gl.fitted[i];
         for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
             if (const auto layer = std::size_t(f.first_view[i]) + v; !f.drawn_cells_by_layer[layer].empty())
-                maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer]);
+                maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer],
+                           f.request.emptied == MapOfLight{int(i), int(v)});
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
     add_unread_texels_part(f, "moments that no pass reads", info);

@@ -62,12 +62,17 @@ void drop_finest_pages(const std::vector<PageGrid>& grids, Pages& pages, std::si
 
 void PageCache::clear() {
     by_key_.clear();
-    std::fill(slots_.begin(), slots_.end(), Slot{});
+    slots_.clear();
+    side_ = 0;
 }
 
-void PageCache::grow_pool(int pages) {
-    if (pages <= room()) return;
-    side_ = int(std::ceil(std::sqrt(double(pages))));
+void PageCache::resize_pool(int most, int needed) {
+    const int pages = std::max(most, needed);
+    if (most == most_ && pages <= room()) return;
+    most_ = most;
+    const int side = int(std::ceil(std::sqrt(double(pages))));
+    if (side == side_) return;
+    side_ = side;
     slots_.assign(std::size_t(side_) * std::size_t(side_), {});
     by_key_.clear();
 }
@@ -92,7 +97,7 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
 
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();
-    grow_pool(int(std::max<std::size_t>(total, std::size_t(std::max(most, 1)))));
+    resize_pool(std::max(most, 1), int(total));
     ++frames_;
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (const auto& [y, x] : pages[std::size_t(layer)]) {

@@ -72,14 +72,14 @@ public:
     /// @param key_of returns the hash of everything that a page's contents depend on; pages with equal keys are shared
     PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
                             int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
-    /// Returns the number of pages along one side of the pool of virtual shadow map pages. choose_pages() may enlarge
+    /// Returns the number of pages along one side of the pool of virtual shadow map pages. choose_pages() may resize
     /// the pool, which drops all pages.
     int side() const { return side_; }
     /// Returns the number of virtual shadow map pages that the pool holds now.
     int held() const { return int(by_key_.size()); }
     /// Returns the capacity of the pool of virtual shadow map pages, in pages.
     int room() const { return int(slots_.size()); }
-    /// Drops all pages from the cache of virtual shadow map pages.
+    /// Drops all pages from the cache of virtual shadow map pages. The next choice sizes the pool again.
     void clear();
 
 private:
@@ -88,11 +88,13 @@ private:
     struct Slot {
         std::uint64_t key = 0, last_read = 0;
     };
-    /// Enlarges the pool of virtual shadow map pages to this capacity, which drops all pages. Does nothing if it is
-    /// large enough.
-    /// @param pages new capacity in pages
-    void grow_pool(int pages);
+    /// Gives the pool of virtual shadow map pages a capacity. A new size drops all pages. While `most` stays, the pool
+    /// never shrinks.
+    /// @param most requested capacity in pages
+    /// @param needed pages of this frame, which may be more
+    void resize_pool(int most, int needed);
     int side_ = 0;
+    int most_ = 0;  ///< requested capacity of the pool
     std::vector<Slot> slots_;
     std::unordered_map<std::uint64_t, std::size_t> by_key_;
     std::uint64_t frames_ = 0;

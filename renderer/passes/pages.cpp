@@ -233,7 +233,7 @@ int most_pages(const FrameState& f) {
 /// Marks the pages that blended surfaces read. The images of visible surfaces do not contain them, as they are drawn on
 /// top.
 void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
-    const auto& batches = f.gl.scene->batches();
+    const auto& batches = f.gl.scene->seen_batches();
     if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
     CameraDrawing(f).draw("passes/camera_depth.frag.glsl", {}, info);
     const CameraDrawing pass(f, "nothing", GL_R8, t.nothing);
@@ -469,11 +469,12 @@ std::vector<float> PagePasses::read_map_depths(const gl::Target& maps, const Map
     std::vector<float> out;
     if (of.paged) {
         out = read_depths(of.layer, first, size, float(of.curve.convention.far_depth()));
-    } else if (out.resize(std::size_t(size.x) * std::size_t(size.y)); !out.empty()) {
+    } else if (const std::size_t texels = std::size_t(size.x) * std::size_t(size.y); texels > 0) {
+        const GLsizei bytes = gl::read_back_size(texels * sizeof(float));
+        out.resize(texels);
         gl::prepare_read_back();
         glGetTextureSubImage(maps.texture.id(), 0, first.x, first.y, of.layer, size.x, size.y, 1,
-                             gl::single_channel_format(maps.format), GL_FLOAT, GLsizei(out.size() * sizeof(float)),
-                             out.data());
+                             gl::single_channel_format(maps.format), GL_FLOAT, bytes, out.data());
     }
     if (of.holds_distances)
         for (float& d : out) d = float(of.curve.depth_at_fraction(double(d)));

@@ -146,7 +146,7 @@ ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
     const ValueRange declared{float(row.min), float(row.max)};
     if (v.overlay_range != OverlayRange::Fitted || !row.scalar || t.values.key == 0) return declared;
     if (t.fitted_key != t.values.key) {
-        const int texels = t.values.width * t.values.height;
+        const std::size_t texels = std::size_t(t.values.width) * std::size_t(t.values.height);
         const FloatImage values{t.values.width, t.values.height, 4,
                                 gl::read_texture<float>(t.values.texture.id(), texels * 4, GL_RGBA, GL_FLOAT)};
         t.fitted = fitted_range(values, row.diverging).value_or(declared);

@@ -50,7 +50,9 @@ Key lights_as_placed_key(const FrameState& f) {
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
                 add_value(key, f.settings, {&p, i, {}});
     const BiasSettings& b = f.settings.bias;
-    key.add(b.normal_metres());
+    key.add(b.normal_metres()).add(whole_reach_texels(f.settings));
+    // The fit adds an offset in metres to the kernel's reach once it knows the width of texels.
+    if (b.normal_metres() != 0) key.add(reach_of(f.settings).edge).add(lookup_reach_texels(f.settings));
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
             key.add(b.unit).add(b.constant).add(b.slope).add(lookup_reach_texels(f.settings));
@@ -60,6 +62,8 @@ Key lights_as_placed_key(const FrameState& f) {
     for (int i = 0; i < f.settings.light_count; ++i)
         if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
             key.add(fit_margin_texels(f.settings, f.settings.map.resolution));
+    for (int i = 0; i < f.settings.light_count; ++i)
+        if (fit_row(f.settings.lights[std::size_t(i)].fit).warps) key.add(b.normal);
     return key;
 }
 
@@ -212,6 +216,7 @@ void fit_within_memory(FrameState& f, const RendererImpl::ReducedResolution* lim
     }
     f.map_size = {std::max(1, int(std::int64_t(wanted.width) * n / asked)),
                   std::max(1, int(std::int64_t(wanted.height) * n / asked))};
+    f.map_size_is_given = given;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());

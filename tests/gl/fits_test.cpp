@@ -7,6 +7,7 @@
 
 #include "app/report/map_report.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/combinations.h"
@@ -235,6 +236,44 @@ TEST_F(FitsTest, AProbeReportsPointsThatNoCasterCanShadow) {
         }
     EXPECT_GT(beyond, 5);
     EXPECT_GT(inside, 3);
+}
+
+// What a frame shows depends on its settings alone, not on those of the frame before.
+TEST_F(FitsTest, ChangedKernelsAndOffsetsFitMapsAsAFreshRendererDoes) {
+    Scene model;
+    add_object(model, "Box", -1, add_mesh(model, "Box", make_box(glm::dvec3(1)), -1), moved(30, 0.5, -20));
+    finalise(model);
+    add_ground(model);
+    const Scene stage = load_scene("stage");
+    struct Change {
+        const Scene& scene;
+        Sets before, after;
+    };
+    std::vector<Change> changes = {{model, {"filter.kernel=hard"}, {"filter.kernel=pcf", "filter.size=9"}},
+                                   {stage,
+                                    {"light.fit=lispsm", "filter.kernel=pcf3", "bias.normal=2"},
+                                    {"light.fit=lispsm", "filter.kernel=pcf5", "bias.normal=1"}}};
+    for (const char* normal : {"bias.normal=0.02", "bias.normal=0.05", "bias.normal=0.1", "bias.normal=0.2"}) {
+        const Sets common = {"map.resolution=512", "bias.normal_unit=metres", normal};
+        Change metres{stage, common, common};
+        metres.before.push_back("filter.kernel=hard");
+        metres.after.push_back("filter.kernel=pcf5");
+        changes.push_back(metres);
+    }
+    for (const Change& c : changes) {
+        const auto fitted = [&](Renderer& by, const Sets& sets) {
+            return by.render(c.scene, settings_for(c.scene, sets), small_request({.colour = false, .shadow_map = true}))
+                .lights.at(0)
+                .views.at(0);
+        };
+        fitted(renderer, c.before);
+        const LightView view = fitted(renderer, c.after);
+        Renderer fresh;
+        const LightView alone = fitted(fresh, c.after);
+        EXPECT_EQ(view.projection, alone.projection) << c.after.back().second;
+        EXPECT_EQ(view.eye, alone.eye) << c.after.back().second;
+        EXPECT_EQ(view.curve.far, alone.curve.far) << c.after.back().second;
+    }
 }
 
 }  // namespace

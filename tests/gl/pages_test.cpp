@@ -174,14 +174,37 @@ TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     EXPECT_LT(double(wrong), 0.01 * double(inner));
 }
 
+// A renderer that has drawn other pages has the pool of a new one: no larger pool stays.
+TEST_F(PagesTest, ThePoolFollowsItsSettings) {
+    const Scene scene = load_scene("stage");
+    // A single level gives no page up, so its pool grows past map.page_pool.
+    Settings s = settings_for(scene, {"map.virtual=true", "map.virtual_levels=1", "map.resolution=1024"});
+    s.map.page_size = 16;
+    s.map.page_pool = 8;
+    FrameResult used, first;
+    visibility(renderer, scene, s, &used);
+    EXPECT_GT(used.pages->pool, 100);
+    for (const char* change : {"map.page_size=128", "map.page_pool=300", "map.page_pool=20", "map.format=d16"}) {
+        SCOPED_TRACE(change);
+        set_all(s, Sets{change});
+        Renderer fresh;
+        const FloatImage expected = visibility(fresh, scene, s, &first);
+        EXPECT_EQ(differing_values(visibility(renderer, scene, s, &used), expected), 0u);
+        EXPECT_EQ(used.pages->pool, first.pages->pool);
+    }
+}
+
 // Glass is absent from the depth that selects pages and still reads the map; so do masks and several lights.
 TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
     Scene scene;
     scene.materials.push_back({.name = "glass", .base_colour = {1, 1, 1, 0.9f}, .alpha = AlphaMode::Blend});
     scene.meshes = {make_quad(4, 4), make_quad(1, 1)};
     scene.meshes[0].material = 0;
-    scene.nodes = {{.name = "glass", .local = moved(0, 0, 0)}, {.name = "card", .local = moved(0.4, 0.3, 1)}};
-    scene.objects = {{.node = 0, .mesh = 0}, {.node = 1, .mesh = 1}};
+    // The camera does not see the last object.
+    scene.nodes = {{.name = "glass", .local = moved(0, 0, 0)},
+                   {.name = "card", .local = moved(0.4, 0.3, 1)},
+                   {.name = "behind", .local = moved(0, 0, 9)}};
+    scene.objects = {{.node = 0, .mesh = 0}, {.node = 1, .mesh = 1}, {.node = 2, .mesh = 1}};
     finalise(scene);
     Settings s = settings_for(scene, {"map.resolution=512", "map.page_size=16", "light.count=2", "light.azimuth=20",
                                       "light.1.type=spot", "light.1.azimuth=-30", "camera.source=manual",

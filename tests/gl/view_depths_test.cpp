@@ -71,6 +71,28 @@ TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
     RecordProperty("mae", std::to_string(boxes) + " " + std::to_string(measured.error.mae));
 }
 
+TEST_F(ViewDepthsTest, MeasuredBoundsHoldBlendedSurfaces) {
+    Scene scene;
+    scene.materials.push_back({.name = "glass", .base_colour = {1, 1, 1, 0.9f}, .alpha = AlphaMode::Blend});
+    scene.meshes = {make_quad(4, 4), make_quad(60, 60), make_box(glm::dvec3(1.2))};
+    scene.meshes[0].material = 0;
+    // The box is beside the picture; its shadow falls on the glass, which stands before all opaque surfaces.
+    scene.nodes = {
+        {.name = "glass"}, {.name = "wall", .local = moved(0, 0, -20)}, {.name = "box", .local = moved(5.1, 1.05, 3)}};
+    scene.objects = {{.node = 0, .mesh = 0}, {.node = 1, .mesh = 1}, {.node = 2, .mesh = 2}};
+    finalise(scene);
+    for (const char* bounds : {"boxes", "sdsm"}) {
+        Settings s = settings_for(
+            scene, {"map.resolution=512", "light.azimuth=60", "light.elevation=10", "light.fit=view",
+                    "camera.source=manual", "camera.azimuth=0", "camera.elevation=0", "camera.distance=6"});
+        set_setting(s, "light.depth_bounds", bounds);
+        const ByteImage shadowed = renderer.read_colour(renderer.render(scene, s, kDepthPicture).colour);
+        s.lights[0].cast = false;
+        const ByteImage lit = renderer.read_colour(renderer.render(scene, s, kDepthPicture).colour);
+        EXPECT_GT(different_pixels(shadowed, lit, 8), 100u) << bounds;
+    }
+}
+
 // ---- light.near_far
 
 /// Makes a visible floor, and a sheet outside the picture, 30 m towards the light.

@@ -69,6 +69,13 @@ TEST_F(WasteTest, UnreadMapsChangeNothing) {
     }
 }
 
+TEST_F(WasteTest, MomentsOfSeveralSamplesNeedTheirCasters) {
+    const Scene scene = load_scene("boxes");
+    const Waste waste = waste_of(scene, {"filter.kernel=vsm", "map.samples=4", "map.resolution=256"});
+    EXPECT_TRUE(tried_named(waste, "map of light 0").changes);
+    EXPECT_EQ(waste.share(), 0);
+}
+
 TEST_F(WasteTest, TryingAnEmptyMapRestoresTheMap) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene);

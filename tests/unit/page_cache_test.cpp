@@ -122,5 +122,27 @@ TEST(PageCache, DrawsOnlyChangedPages) {
     EXPECT_EQ(PageCache().choose_pages(grids, wanted, kSide, 8, key_of).read.size(), 256u);
 }
 
+TEST(PageCache, ThePoolTakesTheRequestedCapacity) {
+    PageCache cache;
+    const std::vector<std::uint8_t> all(kSide * kSide, 1);
+    std::vector<std::uint8_t> two(kSide * kSide, 0);
+    two[0] = 1;
+    two[5] = 1;
+    const auto key_of = [](int, glm::ivec2 p) { return Key().add(p).value(); };
+    const std::vector<PageGrid> grids = {{kSide, -1, {0, 0}}};
+    cache.choose_pages(grids, two, kSide, 300, key_of);
+    EXPECT_EQ(cache.side(), 18);
+    EXPECT_EQ(cache.choose_pages(grids, two, kSide, 10, key_of).drawn.size(), 2u) << "the smaller pool begins empty";
+    EXPECT_EQ(cache.room(), 16);
+    EXPECT_EQ(cache.choose_pages(grids, two, kSide, 16, key_of).drawn.size(), 0u) << "the size is the same";
+    cache.choose_pages(grids, all, kSide, 16, key_of);
+    EXPECT_EQ(cache.room(), 256);
+    cache.choose_pages(grids, two, kSide, 16, key_of);
+    EXPECT_EQ(cache.room(), 256) << "the next frame may need as many pages again";
+    cache.clear();
+    cache.choose_pages(grids, two, kSide, 16, key_of);
+    EXPECT_EQ(cache.side(), 4);
+}
+
 }  // namespace
 }  // namespace si

@@ -31,8 +31,7 @@ const std::array<glm::dmat3, 6>& cube_axes() {
 }  // namespace
 
 double face_margin_texels(const Settings& settings) {
-    if (!settings.map.face_guard) return 0;
-    return std::max(6.0, std::ceil(lookup_reach_texels(settings)));
+    return settings.map.face_guard ? whole_reach_texels(settings) : 0;
 }
 
 void fit_faces(FittedLight& light, const FitContext& c) {

@@ -42,12 +42,16 @@ double lookup_reach_texels(const Settings& s) {
     return reach_of(s).read + std::max(s.bias.normal_texels(), 0.0) + s.map.blur_texels + 1;
 }
 
+double whole_reach_texels(const Settings& s) {
+    return std::max(6.0, std::ceil(lookup_reach_texels(s)));
+}
+
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m) {
     if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
     const double rise = view.axes[2].y;
     if (c.settings.type != LightType::Directional || !(rise > 0)) return 0;
     // Shadows of flatter light run to the end of the ground.
-    const double texels = std::min(lookup_reach_texels(c.all_settings), kMaxGroundKernelOfMap * c.resolution);
+    const double texels = std::min(whole_reach_texels(c.all_settings), kMaxGroundKernelOfMap * c.resolution);
     return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kMaxSunCotangent);
 }
 

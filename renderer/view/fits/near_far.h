@@ -32,4 +32,8 @@ void set_perspective_range(LightView& view, const FitContext& c);
 /// reads. It consists of kernel reach, normal offset, depth blur (map.blur_texels), and half a texel at each end.
 double lookup_reach_texels(const Settings& settings);
 
+/// Returns lookup_reach_texels() as whole texels, at least 6. Margins of this width stay the same for most kernels, so
+/// that a change of the kernel seldom draws maps again.
+double whole_reach_texels(const Settings& settings);
+
 }  // namespace si
