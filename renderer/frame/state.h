@@ -92,6 +92,7 @@ struct FrameState {
     std::vector<int> first_view;      ///< by light: layer of its first view in the map textures
     int view_count = 0;
     MapSize map_size;
+    bool map_size_is_given = false;  ///< imported maps fix map_size; a lack of memory does not reduce it
     /// Returns the layer count of map textures; 0 for a single view, which is a plain 2-D texture.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
     /// Returns the OpenGL format of shadow map textures under the frame's settings.

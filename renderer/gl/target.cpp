@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -121,6 +122,16 @@ GLenum single_channel_format(GLenum internal_format) {
 void prepare_read_back() {
     glFinish();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+GLsizei read_back_size(std::size_t bytes) {
+    constexpr auto kMost = std::size_t(std::numeric_limits<GLsizei>::max());
+    if (bytes > kMost)
+        throw Error(
+            fmt::format("an image of {} bytes cannot be read back: OpenGL returns at most {}; draw a smaller "
+                        "picture (--size) or smaller maps (map.resolution)",
+                        bytes, kMost));
+    return GLsizei(bytes);
 }
 
 }  // namespace si::gl

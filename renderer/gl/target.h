@@ -70,13 +70,19 @@ GLenum single_channel_format(GLenum internal_format);
 /// clear is pending.
 void prepare_read_back();
 
+/// Returns the size of a read-back as OpenGL takes it, which is a signed number of 32 bits.
+/// @throws Error for a larger size
+GLsizei read_back_size(std::size_t bytes);
+
 /// Reads back the finest level of a texture, bottom row first.
 /// @param count numbers of type T in the texture @param format,type as for glGetTextureImage()
+/// @throws Error for more bytes than read_back_size() allows
 template <typename T>
 std::vector<T> read_texture(GLuint texture, std::size_t count, GLenum format, GLenum type) {
+    const GLsizei bytes = read_back_size(count * sizeof(T));
     std::vector<T> out(count);
     prepare_read_back();
-    glGetTextureImage(texture, 0, format, type, GLsizei(count * sizeof(T)), out.data());
+    glGetTextureImage(texture, 0, format, type, bytes, out.data());
     return out;
 }
 

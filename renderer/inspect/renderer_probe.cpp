@@ -78,7 +78,8 @@ PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
     const Block<4> block(f, at);
     PassInfo info;
     f.surface_flags = true;  // the object's index is read back
-    f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+    // The frame's plan may have the pass map bounds, but the probe does not run the plan.
+    f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}, {"MAP_BOUNDS", "0"}}, info);
     PixelFacts facts;
     for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
     return facts;

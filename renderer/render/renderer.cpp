@@ -128,7 +128,10 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
 
 bool RendererImpl::reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why) {
     constexpr int kMinMapTexels = 64;  // smaller maps would free little memory compared with a picture
-    if (f.view_count == 0 || f.map_size.longest() <= kMinMapTexels) return false;
+    if (f.view_count == 0 || f.map_size_is_given || f.map_size.longest() <= kMinMapTexels) {
+        reduced_resolution.reset();  // smaller maps are no help, so later frames begin at the requested size
+        return false;
+    }
     reduced_resolution = ReducedResolution{settings.map.resolution, f.map_size.longest() / 2, why};
     return true;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/gl/driver_failure.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/error_text.h"
@@ -129,6 +130,40 @@ TEST_F(FailuresTest, WithoutMemoryForAnyMapTheMessageReportsIt) {
     always_fail("shadow maps");
     EXPECT_TRUE(test::fails_with<gl::OutOfMemory>([&] { renderer.render(scene, settings_for(scene), request()); },
                                                   {"use a smaller size, map.resolution or fewer lights"}));
+}
+
+TEST_F(FailuresTest, MapsKeepTheirSizeAfterAPictureWithoutMemory) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {"map.resolution=512"});
+    Renderer renderer;
+    always_fail("shaded picture");
+    EXPECT_TRUE(test::fails_with<gl::OutOfMemory>([&] { renderer.render(scene, s, request()); },
+                                                  {"the driver has no memory for shaded picture"}));
+    gl::fault_injection() = {};
+    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512);
+}
+
+TEST_F(FailuresTest, AFrameWithGivenMapsIsTriedOnce) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {"map.resolution=512"});
+    FrameRequest given = request();
+    {
+        Renderer drawing;
+        const FrameResult frame = drawing.render(scene, s, given);
+        std::vector<FloatImage> images;
+        for (std::size_t v = 0; v < frame.lights.at(0).views.size(); ++v)
+            images.push_back(drawing.read_shadow_map(frame, 0, int(v)));
+        given.imported = {imported_maps(std::move(images))};
+    }
+    int failures = 0;
+    gl::fault_injection().fails = [&failures](DriverFailure of, std::string_view what) {
+        if (of != DriverFailure::Memory || what.find("shaded picture") == std::string_view::npos) return false;
+        return ++failures <= 10;  // a frame that is tried for ever would end here
+    };
+    Renderer renderer;
+    EXPECT_TRUE(test::fails_with<gl::OutOfMemory>([&] { renderer.render(scene, s, given); },
+                                                  {"the driver has no memory for shaded picture"}));
+    EXPECT_EQ(failures, 1);
 }
 
 TEST_F(FailuresTest, ALostContextIsReportedOncePerFrame) {

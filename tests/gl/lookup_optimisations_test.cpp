@@ -233,6 +233,27 @@ TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
     }
 }
 
+/// A probe draws the maps, which then have no bounds yet.
+TEST_F(LookupOptimisationsTest, AProbeOfNewMapsNeedsNoBounds) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene, {"filter.kernel=vogel", "filter.taps=64", "light.cascades=3"});
+    s.map.resolution = 512;
+    const Settings other = settings_with(s, {"map.resolution=128"});
+    request = small_request({.colour = false, .visibility = true});
+    const FloatImage lit = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+    int bright_behind_the_first_cascade = 0;
+    for (const int x : {80, 160, 240})
+        for (int y = 20; y < request.height; y += 24) {
+            draw_maps(scene, other, {});
+            const Probe p = renderer.probe(scene, s, request, x, y);
+            if (!p.hit) continue;
+            // The rounding of a shifted viewport moves a few of the taps to the next texel.
+            EXPECT_NEAR(p.lights.at(0).visibility, lit.at(x, y), 0.1) << x << ", " << y;
+            bright_behind_the_first_cascade += p.lights[0].face > 0 && lit.at(x, y) > 0.5f;
+        }
+    EXPECT_GT(bright_behind_the_first_cascade, 2);
+}
+
 /// Bounds belong to cached maps: the test measures them while the camera moves.
 TEST_F(LookupOptimisationsTest, TheGainOfBoundsIsMeasuredOverCachedMaps) {
     const Scene scene = load_scene("boxes");
