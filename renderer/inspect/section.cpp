@@ -116,7 +116,8 @@ std::vector<std::vector<glm::dvec2>> surfaces(const std::vector<glm::dvec2>& poi
     return out;
 }
 
-void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
+void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane, MapSize size) {
+    const int row_count = size.sides()[1 - s.cut.axis];
     for (const KernelTap& t : p.rows[std::size_t(s.cut.axis)]) {
         const int i = t.texel[s.cut.axis];
         if (i < s.cut.first || i >= s.cut.first + s.cut.count) continue;
@@ -133,7 +134,7 @@ void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
                            .stored_m = t.stored_m,
                            .weight = t.weight,
                            .lit = t.lit,
-                           .in_map = i >= 0 && i < plane.n && s.row >= 0 && s.row < plane.n,
+                           .in_map = i >= 0 && i < plane.n && s.row >= 0 && s.row < row_count,
                            .meets = t.meets};
         s.steps.push_back(step);
     }
@@ -293,7 +294,7 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
         s.surface_at = on_surface(at);
         s.surface_along = unit(on_surface(at + step) - on_surface(at - step));
     }
-    add_steps(s, p, plane);
+    add_steps(s, p, plane, size);
     add_terms(s, p, plane);
     add_moments(s, p, plane);
     if (d) add_reference(s, p, *d);

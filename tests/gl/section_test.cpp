@@ -185,6 +185,28 @@ TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
     }
 }
 
+TEST_F(SectionTest, ACutAcrossTheShortSideOfAMapShowsItsTexels) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
+    const Settings s = test::texel_settings("pcf3", 256, 1);
+    FrameRequest oblong = kPicture;
+    oblong.map_size = MapSize(256, 64);
+    int beyond_short_side = 0;
+    for (int x = 16; x <= 144; x += 16) {
+        const Probe probe = renderer.probe(scene, s, oblong, x, kMiddle.y);
+        if (!probe.hit || probe.lights.at(0).rows[0].empty()) continue;
+        ASSERT_EQ(probe.map_size, MapSize(256, 64));
+        const Probe::PerLight& p = probe.lights[0];
+        for (const int axis : {0, 1}) {
+            const SectionCut cut{.axis = axis, .first = p.texel[axis] - 2, .count = 5};
+            const Section shown = cross_section(p, nullptr, cut, probe.map_size);
+            ASSERT_TRUE(shown.lookup_step()) << x << " axis " << axis;
+            EXPECT_TRUE(shown.lookup_step()->in_map) << x << " axis " << axis;
+        }
+        beyond_short_side += p.texel.x >= probe.map_size.height;
+    }
+    EXPECT_GT(beyond_short_side, 0);
+}
+
 TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (const double elevation : {65.0, 40.0, 25.0}) {
