@@ -213,6 +213,60 @@ TEST(Autosave, BrokenSessionsAreRenamedWithAWarning) {
     EXPECT_EQ(files_in(folder, ".unreadable"), 1u) << "nothing is thrown away";
 }
 
+TEST(Autosave, RestoredSessionIsWrittenBeforeItsOldFileIsRemoved) {
+    const fs::path folder = fresh_test_folder();
+    crash(folder, 7);
+    {
+        Autosave editor(folder);
+        ASSERT_NE(editor.lost(), nullptr);
+        editor.adopt_lost();
+        EXPECT_EQ(editor.lost(), nullptr);
+        EXPECT_EQ(Autosave(folder).lost(), nullptr) << "two editors have one session";
+    }
+    {
+        Autosave editor(folder);
+        ASSERT_NE(editor.lost(), nullptr) << "lost by a crash before the next write";
+        editor.adopt_lost();
+        editor.update("boxes", with_bias(7), 0);
+        EXPECT_EQ(files_in(folder, ".json"), 1u) << "the new file alone";
+    }
+    {
+        Autosave editor(folder);
+        ASSERT_NE(editor.lost(), nullptr) << "lost by a crash after the first scene was the restored one";
+        EXPECT_EQ(editor.lost()->preset.settings.bias.constant, 7);
+        editor.adopt_lost();
+        editor.update("boxes", with_bias(7), 0);
+        editor.end("boxes", with_bias(7), true);
+    }
+    Autosave last(folder);
+    ASSERT_NE(last.lost(), nullptr) << "lost by quitting";
+    last.adopt_lost();
+    last.end("boxes", with_bias(7), false);
+    EXPECT_EQ(files_in(folder, ".json"), 0u) << "it was saved";
+    EXPECT_EQ(files_in(folder, ".lock"), 0u);
+}
+
+TEST(Autosave, FailedWriteIsTriedAgainAndKeepsTheLastCopy) {
+    const fs::path folder = fresh_test_folder();
+    const std::string unnameable = "not UTF-8: \xff.gltf";  // no preset can name this scene
+    {
+        Autosave editor(folder);
+        editor.update("boxes", with_bias(0.1), 0);
+        editor.update("boxes", with_bias(1), 10);
+        editor.update(unnameable, with_bias(2), 20);
+        editor.update(unnameable, with_bias(3), 30);
+        EXPECT_EQ(editor.take_remarks().size(), 1u) << "told once";
+        editor.update("stage", with_bias(4), 40);
+        editor.update(unnameable, with_bias(5), 50);
+        EXPECT_EQ(editor.take_remarks().size(), 1u);
+        editor.end(unnameable, with_bias(6), true);
+    }
+    const Autosave next(folder);
+    ASSERT_NE(next.lost(), nullptr) << "the end removed the last good copy";
+    EXPECT_EQ(next.lost()->preset.scene, "stage");
+    EXPECT_EQ(next.lost()->preset.settings.bias.constant, 4);
+}
+
 TEST(Autosave, UnwritableFolderIsOnlyAWarning) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "sessions") << "a file where a folder belongs";
