@@ -118,11 +118,14 @@ void Accessors::expect_width(int accessor, int expected, const Place& place) con
                   fmt::format("accessor {} has {} components, {} are expected", accessor, width(accessor), expected));
 }
 
-void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
-    // Loads the buffer, so that its size counts.
+void Accessors::load_data(int accessor) {
     if (const int view = model_.accessors[std::size_t(accessor)].bufferView; view >= 0) {
         buffers_.view(std::size_t(view));
     }
+}
+
+void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
+    load_data(accessor);  // so that the size of the buffer counts
     decoded_bytes_ += bytes;
     if (decoded_bytes_ > kAlwaysAllowedBytes + kMostDecodedPerByte * buffers_.bytes_loaded()) {
         context_.fail(place, "the model decodes to more than 32 times the size of its buffers",

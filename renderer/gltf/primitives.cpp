@@ -98,6 +98,7 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
     }
     const std::size_t vertex_count = accessors_.count(position->second);
     if (vertex_count > kUnused) context_.fail(place, "has more vertices than 32-bit indices reach", "split the mesh");
+    accessors_.load_data(position->second);
 
     Mesh mesh;
     mesh.name = printable(name);

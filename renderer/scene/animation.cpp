@@ -102,8 +102,7 @@ struct JointMatrix {
     glm::mat3 normal;
 };
 
-std::vector<JointMatrix> joint_matrices(const Scene& scene, const Skin& skin, const glm::dvec3& origin) {
-    const glm::dmat4 to_placement = glm::translate(glm::dmat4(1.0), -origin);
+std::vector<JointMatrix> joint_matrices(const Scene& scene, const Skin& skin, const glm::dmat4& to_placement) {
     std::vector<JointMatrix> out(skin.joints.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         const glm::dmat4 m = to_placement * scene.nodes[std::size_t(skin.joints[i])].world * skin.inverse_bind[i];
@@ -182,9 +181,14 @@ void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRestPose>& now) {
     morph(source, now[std::size_t(deformer.node)].weights, mesh);
     if (deformer.skin) {
         const glm::dvec3 origin(scene.nodes[std::size_t(deformer.skin->joints[0])].world[3]);
+        glm::dmat4 world = glm::translate(glm::dmat4(1.0), origin);
+        // The mesh's own node does not move the vertices, but its determinant sets their winding (glTF 2.0, section
+        // 3.7.4).
+        if (glm::determinant(glm::dmat3(scene.nodes[std::size_t(deformer.node)].world)) < 0)
+            world = glm::scale(world, glm::dvec3(-1, 1, 1));
         Node& placement = scene.nodes[std::size_t(deformer.placement)];
-        placement.local = placement.world = glm::translate(glm::dmat4(1.0), origin);
-        skin_vertices(source, joint_matrices(scene, *deformer.skin, origin), mesh);
+        placement.local = placement.world = world;
+        skin_vertices(source, joint_matrices(scene, *deformer.skin, glm::inverse(world)), mesh);
     }
     if (source.normals.empty()) {
         flatten_normals(mesh);

@@ -81,8 +81,9 @@ struct DeformSource {
 struct Deformer {
     std::shared_ptr<const DeformSource> source;
     std::shared_ptr<const Skin> skin;  ///< null: only morphed
-    int node = 0;                      ///< node whose morph weights apply
-    int placement = -1;                ///< node of a skinned object: a root that follows the first joint; -1: no skin
+    int node = 0;                      ///< node of the file's mesh: its morph weights and its mirroring apply
+    /// Node of a skinned object: a root that follows the first joint, mirrored where `node` is; -1: no skin.
+    int placement = -1;
 };
 
 /// Poses a scene at a time of one of its animations. Updates node transforms, deformed vertices, bounds, cameras,
