@@ -243,7 +243,11 @@ void Writer::add_nodes() {
 }
 
 void Writer::add_cameras() {
-    for (const SceneCamera& c : scene_.cameras) {
+    const double scale = placement_scale(scene_);
+    for (SceneCamera c : scene_.cameras) {
+        c.height *= scale;
+        c.near *= scale;
+        c.far *= scale;
         // glTF allows only a perspective far plane to be absent (automatic). Other automatic planes are written as
         // planes around the whole scene, and marked in extras.
         const double reach =
@@ -277,7 +281,7 @@ void Writer::add_lights() {
         light["type"] = kLightTypeKeys[std::size_t(l.type)];
         light["color"] = {l.colour.r, l.colour.g, l.colour.b};
         light["intensity"] = l.intensity;
-        if (l.range > 0) light["range"] = l.range;
+        if (l.range > 0) light["range"] = l.range * placement_scale(scene_);
         if (l.type == LightType::Spot)
             light["spot"] = {{"innerConeAngle", l.inner_cone_rad}, {"outerConeAngle", l.outer_cone_rad}};
         Json node = {{"name", l.name.empty() ? "Light" : l.name}};
@@ -295,6 +299,7 @@ void Writer::add_lights() {
 bool lights_suggest_same_settings(const Scene& scene) {
     Scene lit;
     lit.lights = scene.lights;
+    for (SceneLight& light : lit.lights) light.range *= placement_scale(scene);
     lit.bounds = scene.bounds;
     suggest_lights(lit);
     std::vector<std::pair<std::string, std::string>> own = scene.suggested;

@@ -264,7 +264,7 @@ void drop_if_not_finite(SharedArray<T>& values, const std::string& label, std::s
     scene.warnings.push_back(fmt::format("{}: its {} hold values that are not finite; they are ignored", label, what));
 }
 
-/// Validates and completes one mesh. Returns false when nothing of it can be drawn.
+/// Validates and completes one mesh. Returns false when nothing of it can be drawn in any pose.
 bool finalise_mesh(Scene& scene, std::size_t index) {
     Mesh& mesh = scene.meshes[index];
     const std::string label = mesh_label(mesh, index);
@@ -281,7 +281,7 @@ bool finalise_mesh(Scene& scene, std::size_t index) {
         scene.warnings.push_back(
             fmt::format("{}: dropped {} triangle{} without area", label, dropped, dropped == 1 ? "" : "s"));
     }
-    if (mesh.indices.empty()) return false;
+    if (mesh.indices.empty()) return mesh.deformer != nullptr;  // another pose may have triangles with an area
     if (mesh.normals.empty()) {
         make_flat(mesh);
     } else if (!repair_normals(mesh)) {
@@ -328,7 +328,9 @@ void place_objects(Scene& scene) {
     scene.bounds = scene.ground_bounds = {};
     std::erase_if(scene.objects, [&](Object& o) {
         o.world = scene.nodes[o.node].world * o.instance;
-        const Bounds b = finite(o.world) ? scene.meshes[o.mesh].bounds.transformed(o.world) : Bounds{};
+        const Mesh& mesh = scene.meshes[o.mesh];
+        if (mesh.deformer && mesh.bounds.empty() && finite(o.world)) return false;  // nothing to draw in this pose
+        const Bounds b = finite(o.world) ? mesh.bounds.transformed(o.world) : Bounds{};
         // Written so that NaN fails.
         const bool near_enough = glm::all(glm::lessThan(glm::abs(b.lo), glm::dvec3(kFarthest_m))) &&
                                  glm::all(glm::lessThan(glm::abs(b.hi), glm::dvec3(kFarthest_m)));
@@ -518,6 +520,10 @@ void place(Scene& scene, const glm::dmat4& placement) {
     for (SceneCamera& camera : scene.cameras) camera.world = placement * camera.home;
     for (SceneLight& light : scene.lights) light.world = placement * light.home;
     refresh(scene);
+}
+
+double placement_scale(const Scene& scene) {
+    return glm::length(glm::dvec3(scene.placement[0]));
 }
 
 Bounds main_bounds(const Scene& scene) {

@@ -172,8 +172,8 @@ struct SceneCamera {
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     bool orthographic = false;
     double fov_y_deg = 45;
-    double height = 10;        ///< height of an orthographic view, metres
-    double near = 0, far = 0;  ///< metres; 0: automatic
+    double height = 10;        ///< height of an orthographic view, metres before Scene::placement
+    double near = 0, far = 0;  ///< metres before Scene::placement; 0: automatic
 };
 
 /// Light that a scene's file contains.
@@ -184,7 +184,7 @@ struct SceneLight {
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     glm::dvec3 colour{1};
     double intensity = 1;
-    double range = 0;  ///< metres; 0: unlimited
+    double range = 0;  ///< metres before Scene::placement; 0: unlimited
     double inner_cone_rad = 0, outer_cone_rad = 0.785398163397448;
 };
 
@@ -268,6 +268,9 @@ std::vector<const Object*> objects_without_floor(const Scene& scene);
 /// Places a scene in the world: transforms its objects, cameras and lights from the coordinates of its file by
 /// `placement`, which replaces the previous placement. Calls refresh(). The suggested settings do not change.
 void place(Scene& scene, const glm::dmat4& placement);
+
+/// Returns the factor by which Scene::placement scales lengths.
+double placement_scale(const Scene& scene);
 
 /// Returns the world-space bounds of a scene without objects and vertices far from the rest (Scene::main_part).
 /// Scene::bounds where nothing lies far off.

@@ -67,7 +67,9 @@ Brightness brightness_of(const SceneLight& light) {
 
 void suggest_lights(Scene& scene) {
     if (scene.lights.empty()) return;
-    std::erase_if(scene.suggested, [](const auto& row) { return row.first.starts_with("light."); });
+    // The fit does not follow from the lights: the loader suggests it for scenes with far objects.
+    std::erase_if(scene.suggested,
+                  [](const auto& row) { return row.first.starts_with("light.") && !row.first.ends_with(".fit"); });
     const std::size_t count = std::min<std::size_t>(scene.lights.size(), kMaxLights);
     double strongest[2] = {0, 0};  // of the directional lights, of the others
     for (std::size_t i = 0; i < count; ++i) {

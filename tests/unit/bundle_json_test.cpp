@@ -111,6 +111,21 @@ TEST(BundleJson, FormattedBundlesReadBack) {
     EXPECT_TRUE(test::fails_with([&] { format_bundle(infinite); }, {"finite"}));
 }
 
+TEST(BundleJson, WideSpotLightsHaveSixFaces) {
+    Bundle wide = full_bundle();
+    BundleLight& light = wide.lights[0];
+    light.cone_deg = 360;
+    light.choice = ViewChoice::Face;
+    light.maps.assign(6, BundleMap(light.maps.front()));
+    EXPECT_TRUE(parse_bundle(format_bundle(wide), "f") == wide);
+    EXPECT_TRUE(test::obeys(Json::parse(bundle_schema()), Json::parse(format_bundle(wide))));
+    light.type = LightType::Directional;
+    EXPECT_TRUE(test::fails_with([&] { parse_bundle(format_bundle(wide), "f"); }, {"choice: ", "spot or point light"}));
+    light.type = LightType::Spot;
+    light.cone_deg = 361;
+    EXPECT_TRUE(test::fails_with([&] { parse_bundle(format_bundle(wide), "f"); }, {"cone_deg: 361 is out of range"}));
+}
+
 TEST(BundleJson, UnknownIsNotZero) {
     Json json = documented_example();
     json["lights"][0].erase("lookup");

@@ -154,6 +154,24 @@ TEST(Animation, CollapsedTriangleReturns) {
     expect_near(vertex(scene, 1), {1, 0, 0});
 }
 
+TEST(Animation, TriangleCollapsedAtRestReturns) {
+    GltfFile file = morphing_triangle();
+    file.json["nodes"][0]["weights"] = {0, 1};
+    const int flatten = file.floats({0, 0, 0, -1, 0, 0, 0, 0, 0}, "VEC3");
+    file.json["meshes"][0]["primitives"][0]["targets"][1]["POSITION"] = flatten;
+    file.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+         {"samplers", {{{"input", file.floats({0, 1}, "SCALAR")}, {"output", file.floats({0, 0, 0, 1}, "SCALAR")}}}}}};
+    Scene scene = file.load();
+    ASSERT_EQ(scene.objects.size(), 1u);
+    EXPECT_EQ(scene.triangle_count(), 0u);
+    EXPECT_TRUE(scene.bounds.empty());
+    pose(scene, 0, 0);
+    EXPECT_EQ(scene.triangle_count(), 1u);
+    expect_near(vertex(scene, 1), {1, 0, 0});
+    expect_near(scene.bounds.hi, {1, 1, 0});
+}
+
 /// Makes a triangle bound to two joints: corner 0 to the first, corner 1 to the second, corner 2 to both. The mesh's
 /// own node is far away, which a skin ignores.
 GltfFile skinned_triangle() {
@@ -183,6 +201,23 @@ TEST(Animation, SkinsFollowTheirJointsAndIgnoreTheirNode) {
     expect_near(vertex(scene, 2), {-0.5, 1, 2.5});
     expect_near(scene.bounds.lo, {-0.5, 0, 0});
     EXPECT_EQ(scene.nodes[static_cast<std::size_t>(scene.objects[0].node)].name, "hero (skinned)");
+}
+
+// The determinant of the mesh's own node sets the winding, though the node does not move the vertices.
+TEST(Animation, SkinsBelowAMirroredNodeAreMirrored) {
+    GltfFile file = skinned_triangle();
+    file.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
+    const int mirror = file.append("nodes", {{"scale", {-1, 1, 1}}, {"children", {0, 1, 2}}});
+    file.json["scenes"][0]["nodes"] = {mirror};
+    const Scene scene = file.load();
+    EXPECT_LT(glm::determinant(glm::dmat3(scene.objects.at(0).world)), 0);
+    expect_near(vertex(scene, 0), {0, 0, 5});
+    expect_near(vertex(scene, 1), {0, 0, 0});
+    expect_near(vertex(scene, 2), {0.5, 1, 2.5});
+    expect_near(scene.bounds.hi, {0.5, 1, 5});
+    // The flat normal is that of the triangle without the mirror, and the object mirrors it.
+    const glm::dvec3 expected = glm::normalize(glm::dvec3(2, 1, 0));
+    for (const glm::vec3& n : scene.meshes[0].normals) expect_near(glm::dvec3(n), expected);
 }
 
 // A normal follows the inverse transpose: (0, 0.6, 0.8) under the scale (3, 1, 0.25) leans towards z, and a quarter

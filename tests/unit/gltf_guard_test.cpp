@@ -252,6 +252,27 @@ TEST(GltfGuard, ProgressRisesAndCancels) {
     }
 }
 
+TEST(GltfGuard, MissingBuffersAreNamedBeforeTheirCountsAreUsed) {
+    constexpr std::uint32_t kCount = 5'000'000;
+    GltfFile file;
+    const int beyond = file.indices(std::vector<std::uint32_t>{0, 1, kCount});
+    const int view = file.append("bufferViews", {{"buffer", 1}, {"byteLength", 12 * kCount}});
+    const int position = file.accessor(view, 5126, "VEC3", kCount);
+    const Json attributes = {{"POSITION", position}};
+    file.json["buffers"] = {{{"uri", "indices.bin"}, {"byteLength", file.bin().size()}},
+                            {{"uri", "a.bin"}, {"byteLength", 12 * kCount}}};
+    const TemporaryFolder folder;
+    folder.write("indices.bin", file.bin());
+    const Json indexed = {{"attributes", attributes}, {"indices", beyond}};
+    const Json strip = {{"attributes", attributes}, {"mode", 5}};
+    for (const Json& primitive : {indexed, strip}) {
+        GltfFile one = file;
+        one.root({{"mesh", one.mesh(primitive)}});
+        const std::string error = error_of(folder.write("model.gltf", one.json.dump()));
+        EXPECT_NE(error.find("buffers[1].uri: \"a.bin\": the file does not exist"), std::string::npos) << error;
+    }
+}
+
 TEST(GltfGuard, EndlesslyRepeatedBytesAreRefused) {
     GltfFile file;
     const int position = file.triangle_positions();

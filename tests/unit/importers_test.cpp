@@ -70,6 +70,13 @@ glm::dvec3 forward(const glm::dmat4& world) {
     return -glm::normalize(glm::dvec3(world[2]));
 }
 
+TEST(Importers, TheScriptForFoldersOfFramesKnowsAllExtensions) {
+    const std::string script = file_bytes(fs::path(SI_SOURCE_DIR) / "scripts/check_frames.sh");
+    for (const Importer& importer : importers())
+        for (const std::string_view extension : importer.extensions)
+            EXPECT_NE(script.find(" " + std::string(extension.substr(1)) + " | "), std::string::npos) << extension;
+}
+
 TEST(Importers, ModelsEqualTheirGltfTwins) {
     const Scene twin = load("scene.glb");
     for (const char* name : {"scene.fbx", "scene.dae", "scene.obj", "scene.x3d"}) {

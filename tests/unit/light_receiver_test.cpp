@@ -46,6 +46,22 @@ TEST(LightReceiver, OneMetreOfBiasMovesOneMetreAlongTheAxis) {
                 }
 }
 
+// A light's square section divided into 600 x 150 texels: each is four times as high as wide.
+TEST(LightReceiver, ATexelHasALongestAndAShortestSide) {
+    for (const LightType type : {LightType::Directional, LightType::Spot}) {
+        const Lit lit(type, false);
+        const auto receiver = [&](MapSize size) {
+            return bias_breakdown(lit.light, lit.settings, size, lit.point, {.subpixel_bits = 8}).receiver;
+        };
+        const LightReceiver oblong = receiver({600, 150});
+        const LightReceiver fine = receiver(MapSize(600)), coarse = receiver(MapSize(150));
+        EXPECT_NEAR(oblong.texel_m / oblong.texel_short_m, 4, 1e-9) << int(type);
+        EXPECT_NEAR(oblong.texel_short_m / fine.texel_m, 1, 1e-9) << int(type);
+        EXPECT_NEAR(oblong.texel_m / coarse.texel_m, 1, 1e-9) << int(type);
+        EXPECT_NEAR(fine.texel_short_m / fine.texel_m, 1, 1e-9) << int(type);
+    }
+}
+
 // Displayed amounts are distances along the ray, at any size: not the slope's 101 m for a light 10 m away.
 TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
     for (const LightType type : {LightType::Spot, LightType::Point})

@@ -5,6 +5,7 @@
 
 #include "app/session/session.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/unit/gltf_test_file.h"
@@ -90,6 +91,21 @@ TEST(MainPart, FirstPictureFramesItAndTheNoteNamesTheRest) {
     all.camera.index = -1;
     EXPECT_GT(make_camera(far, all, 16.0 / 9).focus, 5e5);
     EXPECT_EQ(make_camera(near, all, 16.0 / 9).focus, usual.focus);
+}
+
+TEST(MainPart, AnimatedFilesWithLightsKeepTheirFit) {
+    Scene lit = with_far_box(-1e6);
+    lit.lights.push_back({.name = "Sun"});
+    Scene scene = loaded(lit);
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(base_settings(scene).lights[0].fit, LightFit::View);
+    auto rig = std::make_shared<Rig>();
+    rig->animations.emplace_back();
+    scene.rig = std::move(rig);
+    pose_scene(scene, {});
+    const Settings posed = base_settings(scene);
+    EXPECT_EQ(posed.lights[0].fit, LightFit::View);
+    EXPECT_EQ(posed.light_count, 1);
 }
 
 TEST(MainPart, TheGroundLiesUnderIt) {

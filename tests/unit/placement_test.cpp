@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/session/command_line.h"
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "tests/unit/gltf_test_file.h"
 
 namespace si {
 namespace {
@@ -46,6 +48,39 @@ TEST(Placement, MovesCamerasAndLightsOfTheScene) {
     EXPECT_EQ(scene.cameras[0].world[3], glm::dvec4(1, 2, 3, 1));
 }
 
+TEST(Placement, ScalesLengthsOfCamerasAndLightsOfTheScene) {
+    Scene scene;
+    scene.cameras.push_back({.name = "perspective", .near = 1, .far = 100});
+    scene.cameras.push_back({.name = "orthographic", .orthographic = true, .height = 4, .near = 2, .far = 50});
+    scene.lights.push_back({.name = "lamp", .type = LightType::Point, .range = 3});
+    finalise(scene);
+    place(scene, placement_of({.scale = 200}));
+    Settings settings;
+    settings.camera.index = 0;
+    const Camera perspective = make_camera(scene, settings, 1.5);
+    EXPECT_NEAR(perspective.curve.near, 200, 1e-9);
+    EXPECT_NEAR(perspective.curve.far, 20000, 1e-9);
+    settings.camera.index = 1;
+    const Camera orthographic = make_camera(scene, settings, 1.5);
+    EXPECT_NEAR(orthographic.height, 800, 1e-9);
+    EXPECT_NEAR(orthographic.curve.near, 400, 1e-9);
+    EXPECT_NEAR(orthographic.curve.far, 10000, 1e-9);
+    const CameraSettings by_hand = manual_camera(scene, settings, 1.5);
+    EXPECT_NEAR(by_hand.height, 800, 1e-9);
+    EXPECT_NEAR(by_hand.near, 400, 1e-9);
+    EXPECT_NEAR(by_hand.far, 10000, 1e-9);
+
+    const test::TemporaryFolder folder;
+    save_gltf(scene, folder.path() / "scene.glb");
+    const Scene written = load_gltf(folder.path() / "scene.glb");
+    ASSERT_EQ(written.cameras.size(), 2u);
+    EXPECT_NEAR(written.cameras[0].near, 200, 1e-9);
+    EXPECT_NEAR(written.cameras[0].far, 20000, 1e-9);
+    EXPECT_NEAR(written.cameras[1].height, 800, 1e-9);
+    ASSERT_EQ(written.lights.size(), 1u);
+    EXPECT_NEAR(written.lights[0].range, 600, 1e-9);
+}
+
 // The same picture from the new place: a manual camera sees each corner at the same pixel, at any distance and scale.
 TEST(Placement, MovesSettings) {
     const std::vector<std::string> by_hand = {"camera.source=manual",     "camera.target_x=1", "camera.target_y=0.5",
@@ -83,6 +118,20 @@ TEST(Placement, ScalesLengthsOfPresetsButNotOfSetArguments) {
     EXPECT_EQ(s.settings.lights[0].contact, 0.5);
     EXPECT_EQ(s.settings.scene.scale, 10);
     EXPECT_NEAR(s.scene.bounds.radius(), 10 * placed_session({}).scene.bounds.radius(), 1e-9);
+}
+
+TEST(Placement, CommandLinesKeepLengthsOfAScaledScene) {
+    Scene scene = placed_session({}).scene;
+    Settings unscaled = base_settings(scene);
+    ASSERT_GT(unscaled.filter.thickness, 0);
+    unscaled.scene.scale = 10;
+    pose_scene(scene, unscaled.scene);
+    Settings scaled = unscaled;
+    carry_settings(scaled, SceneSettings{}, scaled.scene);
+    for (const Settings& settings : {unscaled, scaled}) {
+        const SessionPlan plan = session_plan("boxes", scene, settings);
+        EXPECT_EQ(compose_settings(plan, scene, settings.scene).settings, settings);
+    }
 }
 
 }  // namespace

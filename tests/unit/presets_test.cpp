@@ -177,6 +177,16 @@ TEST_F(PresetFiles, ErrorsNameTheFile) {
     EXPECT_TRUE(test::fails_with([&] { load_preset(folder_.string()); }, {"is not a file"}));
 }
 
+TEST_F(PresetFiles, KeepABundleThatDoesNotExist) {
+    const fs::path path = folder_ / "a.json", bundle = "no such folder/a.bundle";
+    Preset preset;
+    preset.settings.map.bundle = bundle.string();
+    save_preset(preset, path);
+    const std::string read = load_preset(path.string()).settings.map.bundle;
+    ASSERT_NE(read, "");
+    EXPECT_EQ(fs::weakly_canonical(fs::absolute(read)), fs::weakly_canonical(fs::absolute(bundle)));
+}
+
 TEST_F(PresetFiles, LinkStaysALink) {
     const fs::path real = folder_ / "real.json", link = folder_ / "link.json";
     save_preset(Preset{}, real);

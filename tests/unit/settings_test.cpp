@@ -360,6 +360,34 @@ TEST(SettingsIdle, GivesReasons) {
     EXPECT_TRUE(idle("camera.fov").empty());
 }
 
+TEST(SettingsIdle, LightMapsReadTheLightsSize) {
+    Settings s;
+    set_setting(s, "filter.kernel", "hard");
+    set_setting(s, "light.source", "light-map");
+    const auto idle = [&] { return idle_reason(s, *find_setting("light.size")); };
+    s.truth.area = false;
+    s.light_map.samples = 64;
+    EXPECT_EQ(idle(), "");
+    s.light_map.samples = 1;
+    EXPECT_NE(idle(), "") << "the ray goes to the light's middle";
+    s.light_map.samples = 64;
+    s.lights[0].cast = false;
+    EXPECT_NE(idle(), "");
+}
+
+TEST(SettingsIdle, TheShownMapMayBeAClipLevel) {
+    Settings s;
+    set_setting(s, "filter.kernel", "hard");
+    s.lights[0].cascades = 1;
+    const auto idle = [&] { return idle_reason(s, *find_setting("view.face")); };
+    EXPECT_NE(idle(), "");
+    s.map.paged = true;
+    s.map.virtual_levels = 8;
+    EXPECT_EQ(idle(), "");
+    s.map.virtual_levels = 1;
+    EXPECT_NE(idle(), "");
+}
+
 /// Returns a few possible values of a setting.
 std::vector<Value> some_values(const SettingRef& ref) {
     const Param& p = *ref.param;

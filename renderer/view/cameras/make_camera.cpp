@@ -124,13 +124,14 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         near = positive_or(s.near, 0);
         far = positive_or(s.far, 0);
     } else if (const SceneCamera* sc = scene_camera(scene, s.index, c.axes)) {
+        const double scale = placement_scale(scene);
         c.eye = glm::dvec3(sc->world[3]);
         c.orthographic = sc->orthographic;
         c.fov_y_rad = clamped_fov_rad(sc->fov_y_deg);
-        c.height = positive_or(sc->height, 10);
+        c.height = positive_or(scale * sc->height, 10);
         c.focus = std::max(glm::distance(c.eye, bounds.centre()), 1e-3 * bounds.radius());
-        near = positive_or(sc->near, 0);
-        far = positive_or(sc->far, 0);
+        near = positive_or(scale * sc->near, 0);
+        far = positive_or(scale * sc->far, 0);
     } else {
         const CameraSettings standard;
         c.orthographic = false;
@@ -179,8 +180,9 @@ CameraSettings manual_camera(const Scene& scene, const Settings& settings, doubl
     glm::dmat3 unused;
     const bool light = settings.camera.source == CameraSource::Light;
     const SceneCamera* sc = light ? nullptr : scene_camera(scene, s.index, unused);
-    s.near = sc ? positive_or(sc->near, 0) : 0;
-    s.far = sc ? positive_or(sc->far, 0) : 0;
+    const double scale = placement_scale(scene);
+    s.near = sc ? positive_or(scale * sc->near, 0) : 0;
+    s.far = sc ? positive_or(scale * sc->far, 0) : 0;
     return s;
 }
 
