@@ -76,10 +76,11 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     const bool lit = strict ? nearer < farther : nearer <= farther;
     fmt::print("  9 nearest texel      {} {} {:.8g} is {}\n", number_text(p.compared_nearest, 8), than, p.stored,
                lit ? "true: lit" : "false: in shadow");
-    fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
+    fmt::print(" 10 kernel             visibility {:.4g}{}\n", p.visibility,
+               p.causes.has_contact ? ", with contact shadows" : "");
     if (!std::isnan(p.kernel.blocker_m))
         fmt::print("    occluder {:.4g} m before it along the light's axis: penumbra {} ({:.4g} m) wide\n",
-                   p.kernel.blocker_m, texels_text(p.kernel.penumbra_texels), p.kernel.penumbra_texels * r.texel_m);
+                   p.kernel.blocker_m, texels_text(p.kernel.penumbra_texels), p.penumbra_m());
     if (!std::isnan(p.kernel.variance))
         fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
     for (const std::string& line : p.kernel.lines) fmt::print("    {}\n", line);

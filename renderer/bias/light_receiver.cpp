@@ -31,7 +31,9 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double w = r.clip.w;
     r.ndc = glm::dvec3(r.clip) / w;
     r.uvd = to_unit(r.ndc);
-    r.texel_m = view.texel_size_at(position_ws, size).longest;
+    const TexelSize texel = view.texel_size_at(position_ws, size);
+    r.texel_m = texel.longest;
+    r.texel_short_m = texel.shortest;
     r.curve = view.ray_depth_curve(position_ws);
     r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);

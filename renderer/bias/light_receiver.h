@@ -42,6 +42,7 @@ struct LightReceiver {
     glm::dvec3 to_light{0};          ///< unit vector towards the light, world space
     double n_dot_l = 0;              ///< cosine between the geometric normal and the light
     double texel_m = 0;              ///< size of a texel at the point in metres, along its longest direction
+    double texel_short_m = 0;        ///< size of the same texel along its shortest direction, metres
     DepthCurve curve;                ///< depths along the light's ray through the point
     double own_m = 0;                ///< metres from the light along the view's axis
     double axis_per_ray = 1;         ///< cosine between the ray to the light and the view's axis, at least 1e-6

@@ -88,15 +88,19 @@ Cause cause_of(const CauseEvidence& e, const ReferencePixel& reference, const Ca
     if (is_wrong(v, reference)) {
         if (reference.hard_lit != dark(v)) return {Artefact::Penumbra};
         if (!context.has_map) return {Artefact::NoMap};
-        return dark(v) ? false_shadow(e, context) : false_light(e, context);
+        if (!dark(v)) return false_light(e, context);
+        if (context.has_contact && !dark(e.map_visibility)) return {Artefact::Contact};
+        return false_shadow(e, context);
     }
     if (!context.has_map) return {};
     const bool darkened = reference.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
     return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
 }
 
-CauseContext cause_context(const Settings& settings, const FittedLight& light, MapSize map_size, bool mask_levels) {
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int number, MapSize map_size,
+                           bool mask_levels) {
     return {.has_map = light.casts,
+            .has_contact = light.shadowed && settings.lights[std::size_t(number)].contact > 0,
             .edge_reach_texels = kernel_reach_in_light(settings, light, map_size).edge,
             .raster_bias = offsets_polygons(settings),
             .mask_levels = mask_levels,

@@ -34,7 +34,7 @@ enum class Artefact : std::uint8_t {
     // From here on never in Cause::also, whose bits are full.
     NoMap,               ///< wrong, and the light has no shadow map (light.source), so that no trial is possible
     PeterPanningRaster,  ///< false light: right without polygon offset
-    Contact,             ///< false shadow: right without contact shadows; only the GPU classifies it
+    Contact,             ///< false shadow: right without contact shadows
     LightBleeding,       ///< Leak under a kernel by moments, whose bound of visibility is too high
 };
 /// Number of Artefact values.
@@ -63,7 +63,8 @@ struct CauseEvidence {
     float nearest_kept = 1, nearest_bare = 1;  ///< nearest unfiltered texel at its least bias, with and without offset
     float nearest_own_bare = 1;                ///< visibility by the nearest unfiltered texel, bias `own`, no offset
     float unfiltered = 1;                      ///< visibility by the kernel on the unfiltered map
-    float curing = 0, unused = 0;              ///< least equivalent depth bias at which the pixel is lit; padding
+    float curing = 0;                          ///< least equivalent depth bias at which the pixel is lit
+    float map_visibility = 1;                  ///< visibility by the map alone, without contact shadows
     float gap_drawn = 0, gap_all = 0;  ///< depth to the surface nearest the light: as drawn, of all casters; 0: none
     float run_m = 0, edge_m = 0;       ///< ShadowRuns, metres
 };
@@ -75,6 +76,7 @@ static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 /// defines.
 struct CauseContext {
     bool has_map = true;             ///< light.source is a shadow map
+    bool has_contact = false;        ///< contact shadows darken the light (light.contact)
     double edge_reach_texels = 0.5;  ///< reach of the filter kernel
     bool raster_bias = false;        ///< polygon offset is on (bias.raster_*)
     bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
@@ -114,8 +116,10 @@ Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, c
 inline constexpr double kRightVisibility = 1e-3;
 
 /// Collects the settings that decide which causes of a light's shadow errors are possible, as input of cause_of().
+/// @param number index of the light in the settings light.*
 /// @param map_size texels of the light's maps
 /// @param mask_levels true: alpha masks of casters have mip levels
-CauseContext cause_context(const Settings& settings, const FittedLight& light, MapSize map_size, bool mask_levels);
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int number, MapSize map_size,
+                           bool mask_levels);
 
 }  // namespace si

@@ -20,7 +20,7 @@ struct TestedPixel {
     int light = 0;  ///< index of the light in the settings light.*
     SurfacePoint point;
     bool receives = true;           ///< the surface receives shadows (object.PATH.receive)
-    double visibility = 1;          ///< result of the filter, 0 in shadow to 1 lit
+    double visibility = 1;          ///< drawn visibility, 0 in shadow to 1 lit
     std::vector<RecordedTap> taps;  ///< texels that the kernel fetched
     KernelFacts kernel;
 };

@@ -8,6 +8,21 @@
 namespace si {
 namespace {
 
+/// Distance up to which the reference of an area light looks at the neighbours of a pixel, in pixels.
+constexpr int kNeighbourPixels = 2;
+
+/// Returns the receivers around a pixel, clipped to those given.
+/// @param[in,out] at the pixel; becomes its place among those returned
+Receivers neighbourhood(const Receivers& all, glm::ivec2& at) {
+    const glm::ivec2 first = glm::max(at - kNeighbourPixels, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(at + kNeighbourPixels + 1, glm::ivec2(all.width, all.height));
+    Receivers out{.width = end.x - first.x, .height = end.y - first.y, .pixels = {}};
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) out.pixels.push_back(all.at(x, y));
+    at -= first;
+    return out;
+}
+
 /// Returns the difference in depth between the probed point and a surface `metres` nearer along the light's ray; 0:
 /// none.
 float depth_of_gap(const Probe::PerLight& p, double metres) {
@@ -36,15 +51,19 @@ FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Pr
     const ShadowRuns runs = shadow_runs(neighbours, around, probe.camera, raster, query, here);
     const glm::ivec2 at = glm::ivec2(probe.x, probe.y) - probe.around_at;
     query.options = {.area = true};
-    const Reference own = trace_visibility(scene, {1, 1, {around.at(at.x, at.y)}}, query, here);
+    // An area light gets more rays where a neighbour lies in its penumbra.
+    glm::ivec2 place = at;
+    const Receivers near = neighbourhood(around, place);
+    const Reference own = trace_visibility(scene, near, query, here);
+    const auto i = std::size_t(place.y) * std::size_t(near.width) + std::size_t(place.x);
 
     FragmentReference out;
-    out.state = own.state[0];
-    out.lit = own.hard().data[0] >= 0.5f;
-    out.share = own.visibility.data[0];
-    out.noise = own.noise;
-    out.gap_m = own.nearest_m.data[0];
-    out.blocker_m = own.blocker_m.data[0];
+    out.state = own.state[i];
+    out.lit = own.hard().data[i] >= 0.5f;
+    out.share = own.visibility.data[i];
+    out.noise = own.is_area() ? own.standard_error.data[i] : 0;
+    out.gap_m = own.nearest_m.data[i];
+    out.blocker_m = own.blocker_m.data[i];
     out.evidence = light.evidence;
     out.evidence.gap_drawn = depth_of_gap(light, out.gap_m);
     out.evidence.gap_all = depth_of_gap(light, out.blocker_m);

@@ -33,7 +33,7 @@ struct FragmentReference {
 };
 
 /// Traces the reference (ray-traced visibility) of one probed pixel under one light and classifies the pixel's shadow
-/// error. Traces a few thousand rays.
+/// error. Traces a few thousand rays, in the penumbra of an area light up to some ten thousand.
 /// @param scene ray-tracing hierarchy over the same triangles as the probe
 /// @param light result of the probe for the light
 /// @param traits object_traits() of the probed scene and settings

@@ -142,11 +142,11 @@ private:
             return d_.right
                        ? fmt::format("correct: {}, as in the reference; {}", state_text(), p_.fitted.reason)
                        : fmt::format("wrong: {}, should be {}; {}", state_text(), reference_text(), p_.fitted.reason);
-        if (p_.place == MapPlace::OutsideCasterRegion)
+        if (p_.place == MapPlace::OutsideCasterRegion && !dark())  // contact shadows may darken it
             return d_.right
                        ? "correct: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, though light.fit has found that nothing can cast a shadow";
-        if (reference_.evidence.place == CauseEvidence::kOutside)
+        if (reference_.evidence.place == CauseEvidence::kOutside && reference_.cause.artefact != Artefact::Contact)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}{}", place_name(p_.place),
                                state_text(), d_.right ? "as in the reference" : "should be ",
                                d_.right ? "" : reference_text());

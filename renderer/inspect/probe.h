@@ -42,7 +42,7 @@ struct KernelFacts {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     /// Mean distance from the surface to its occluders, metres along the light's axis.
     double blocker_m = kUnknown;
-    double penumbra_texels = kUnknown;  ///< width of the penumbra
+    double penumbra_texels = kUnknown;  ///< width of the penumbra, in shortest sides of a texel
     double texels = 0;                  ///< number of fetched texels
     double variance = kUnknown;         ///< variance of depths, in squares of the map's depth range
     // The rest is known for moment kernels only.
@@ -102,11 +102,13 @@ struct Probe {
         /// Texels within kProbeRowReachTexels of the look-up's `texel`, along u and along v, each with its comparison.
         /// Texels outside the kernel have weight 0. Empty where the map does not cover the point.
         std::array<std::vector<KernelTap>, 2> rows;
-        double visibility = 1;   ///< result of the renderer's filter, cascades blended
+        double visibility = 1;   ///< drawn visibility, cascades blended and darkened by contact shadows
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m come from the reference
         CauseContext causes;
         std::optional<MapPlace> place;  ///< place of the point in the map; none: the light has no map
         std::string verdict;            ///< a sentence
+        /// Returns the width of the penumbra in metres across the light; NaN where the kernel computes none.
+        double penumbra_m() const { return kernel.penumbra_texels * account.receiver.texel_short_m; }
     };
     std::vector<PerLight> lights;
 };

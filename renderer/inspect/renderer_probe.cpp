@@ -224,7 +224,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     FrameRequest maps = request;
     maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
-        maps.outputs.visibility |= !source_of(settings, i).fused;
+        maps.outputs.visibility |= !source_of(settings, i).fused || settings.lights[std::size_t(i)].contact > 0;
     maps.force = maps.timing = false;
     const FrameResult frame = render(scene, settings, maps);
     const SurfaceIds ids = read_surface_ids(frame.surface_ids);
@@ -267,7 +267,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                           .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
                           .receives = facts.receives(),
                           .visibility = facts.values[3].x};
-        if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
+        // The probe's own pass draws neither contact shadows nor sources that shading cannot evaluate.
+        if (f.has_contact_shadows(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused)) {
             float drawn = 1;
             gl::prepare_read_back();
             glGetTextureSubImage(f.result(Result::Visibility).texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED,
@@ -290,7 +291,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_size, map, f.driver));
         out.lights.back().engine_bias = engine_bias(f.imported(i), f.settings);
         out.lights.back().evidence = draw_trials(f, place, int(i));
-        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_size, f.mask_levels);
+        out.lights.back().evidence.visibility = float(pixel.visibility);
+        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], int(i), f.map_size, f.mask_levels);
     }
     return out;
 }

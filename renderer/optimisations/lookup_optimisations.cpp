@@ -78,6 +78,9 @@ std::string map_bounds_skip_reason(const FrameState& f) {
     if (calls_of(f) < kMinTextureCalls)
         return fmt::format("a look-up fetches {} times; bounds save time from {} on", calls_of(f), kMinTextureCalls);
     if (f.paged) return "the map is drawn by pages, on demand";
+    if (holds_distances(f.settings.map.format) && compares_per_texel(f.settings) &&
+        std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_perspective(); }))
+        return "texels hold distances (map.format), along which the depth of a plane is not linear";
     if (row.reads_light_size &&
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "the kernel's reach differs across a warped map";

@@ -86,11 +86,11 @@ bool seams_matter(const FrameState& f, int light) {
 /// and filtering by hardware samplers are done in the shader.
 /// @param light light of the trials, shown or not
 std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
-    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_size, f.mask_levels);
+    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], light, f.map_size, f.mask_levels);
     std::vector<gl::Define> out = reference_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(light)},
                            {"HAS_MAP", std::to_string(int(c.has_map))},
-                           {"HAS_CONTACTS", f.settings.lights[std::size_t(light)].contact > 0 ? "1" : "0"},
+                           {"HAS_CONTACTS", std::to_string(int(c.has_contact))},
                            {"MAP_TRIALS", "1"},
                            {"SEAM_TRIALS", std::to_string(int(seams_matter(f, light)))},
                            {"FILTER_SAMPLER", "0"},

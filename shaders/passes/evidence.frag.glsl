@@ -44,6 +44,11 @@ void main() {
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
     out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);
     out_5 = vec4(e.raised, e.bent_raised, e.nearest_kept, e.nearest_bare);
-    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_bias(r, e), 0.0);
+#if HAS_CONTACTS
+    float by_map = map_visibility(r);
+#else
+    float by_map = v;
+#endif
+    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_bias(r, e), by_map);
     out_7 = vec4(e.gap_drawn, e.gap_all, e.run_m, e.edge_m);
 }

@@ -93,6 +93,7 @@ const std::vector<FrameCase>& frame_cases() {
          {"map.format=d16", "bias.kind=slope", "bias.constant=0.5", "bias.slope=1", "bias.raster_slope=1"}},
         {"reversed depth, moments", "boxes", {"map.reversed_z=true", "filter.kernel=vsm"}},
         {"spot", "boxes", {"light.type=spot", "light.distance=14", "light.cone=50"}},
+        {"wide spot", "boxes", {"light.type=spot", "light.distance=9", "light.cone=200"}},
         {"point", "boxes", {"light.type=point", "light.distance=9", "filter.kernel=pcf3"}},
         {"cascades", "stage", {"light.cascades=3", "light.fit=view"}},
         {"cascades by map", "stage", {"light.cascades=3", "light.fit=view", "light.cascade_choice=map"}},
@@ -117,6 +118,18 @@ TEST_F(BundleFramesTest, ExportedFramesReadBackEqual) {
         EXPECT_FALSE(read.settings.map.bundle.empty());
         expect_equal_numbers(own, read);
     }
+}
+
+TEST_F(BundleFramesTest, WideSpotLightsReadBack) {
+    const Session faces = exported(open("boxes", {"map.resolution=64", "light.type=spot", "light.cone=175"}));
+    EXPECT_EQ(faces.settings.lights[0].cone, 175);
+    const FrameResult frame = renderer.render(faces.scene, faces.settings, small_request());
+    EXPECT_EQ(frame.lights.at(0).provider, MapProvider::Imported);
+    EXPECT_EQ(frame.lights.at(0).views.size(), 6u);
+    const Session without_map = exported(open("boxes", {"map.resolution=64", "light.count=2", "light.1.type=spot",
+                                                        "light.1.cone=360", "light.1.cast=false"}),
+                                         "without_map.bundle");
+    EXPECT_EQ(without_map.settings.lights[1].cone, 360);
 }
 
 TEST_F(BundleFramesTest, PlansDifferInThePassesOfMapsAlone) {

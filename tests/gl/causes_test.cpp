@@ -58,15 +58,16 @@ protected:
         all.outputs = {.colour = false, .evidence = true};
         const FrameResult frame = render_with_reference(renderer, scene, s, all, cache, {}, options);
         EXPECT_TRUE(frame.reference.met);
-        const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
-        const CauseContext known =
-            cause_context(s, frame.lights[std::size_t(s.view.light)], frame.map_resolution, frame.mask_levels);
+        std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
+        const CauseContext known = cause_context(s, frame.lights[std::size_t(s.view.light)], s.view.light,
+                                                 MapSize(frame.map_resolution), frame.mask_levels);
         const Reference& reference = *gpu.traced.reference;
         std::size_t differ = 0;
         for (std::size_t i = 0; i < reference.state.size(); ++i) {
             if (reference.state[i] != PixelState::Counted) continue;
-            const Cause cause = cause_of(evidence[i], reference_pixel(reference, i), known);
             const ClassifiedPixel& p = gpu.classified[i];
+            if (known.has_contact) evidence[i].visibility = p.visibility;  // trials are of the map alone
+            const Cause cause = cause_of(evidence[i], reference_pixel(reference, i), known);
             const bool acne = cause.faint || (cause.artefact == Artefact::Acne && reference.visibility.data[i] == 1);
             const bool same =
                 cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(ClassifiedPixel::kSeam) &&
@@ -125,6 +126,18 @@ TEST_F(CausesTest, LightBleedingIsTheCauseUnderKernelsByMoments) {
         agree(box, s, "with depth blur");
     }
     EXPECT_GT(bleeding, 100u);
+}
+
+// Rays that take each surface for 20 m thick darken pixels beside the box.
+TEST_F(CausesTest, CpuAndGpuAgreeUnderContactShadows) {
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2});
+    std::size_t contacts = 0;
+    for (const char* azimuth : {"-110", "-20", "70", "160"}) {
+        Settings s = test::texel_settings("pcf3", 512, 40);
+        set_all(s, {{"camera.azimuth", azimuth}, "light.contact=3", "contact.steps=64", "contact.thickness=20"});
+        contacts += count(agree(box, s, azimuth), Artefact::Contact);
+    }
+    EXPECT_GT(contacts, 10u);
 }
 
 SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);

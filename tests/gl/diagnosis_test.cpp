@@ -478,5 +478,66 @@ TEST_F(DiagnosisTest, ALargeLightIsPartlyVisible) {
     EXPECT_TRUE(share == 0 || share == 1) << share;
 }
 
+// Most of the light is seen here, and a pixel's first rays often miss the hidden part.
+TEST_F(DiagnosisTest, ThinPenumbraeOfALargeLightAreFound) {
+    const Scene scene = test::sheet_over_floor(1.2);
+    Settings s = plain("hard", 3);
+    s.lights[0].size = 8;
+    ReferenceCache cache;
+    const MeasuredError m = measure_error(renderer, scene, s, kPicture, 0, {.area = true}, cache);
+    const Reference& reference = *m.traced.reference;
+    int checked = 0, missed = 0;
+    for (std::size_t i = 0; i < reference.state.size() && checked < 60; ++i) {
+        const float share = reference.visibility.data[i];
+        if (reference.state[i] != PixelState::Counted || share < 0.92f || share > 0.97f) continue;
+        ++checked;
+        const PixelDiagnosis d = diagnosis(scene, s, {int(i) % kPicture.width, int(i) / kPicture.width});
+        missed += d.reference.share == 1;
+        EXPECT_NEAR(d.reference.share, share, 0.08) << i;
+        EXPECT_LT(d.reference.noise, 0.02) << i;
+    }
+    EXPECT_GT(checked, 20);
+    EXPECT_LE(missed, checked / 20);
+}
+
+// Bias has detached the shadow from the box. Contact shadows close the gap, where the map alone still says lit.
+TEST_F(DiagnosisTest, AGapThatContactShadowsCloseIsRight) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2});
+    Settings s = plain("pcf3", 40);
+    const MeasuredError before = measure(scene, s);
+    set_all(s, {"light.contact=0.6", "contact.steps=64", "contact.thickness=2"});
+    const MeasuredError after = measure(scene, s);
+    int closed = 0;
+    for (std::size_t i = 0; i < after.classified.size() && closed < 3; ++i) {
+        if (before.classified[i].artefact != Artefact::PeterPanning) continue;
+        if (after.classified[i].artefact != Artefact::None || after.classified[i].visibility >= 0.5f) continue;
+        ++closed;
+        const PixelDiagnosis d = diagnosis(scene, s, {int(i) % kPicture.width, int(i) / kPicture.width});
+        EXPECT_EQ(probed.lights[0].visibility, after.classified[i].visibility);
+        EXPECT_GE(probed.lights[0].evidence.map_visibility, 0.5f);
+        EXPECT_TRUE(d.right) << d.verdict;
+        EXPECT_EQ(d.cause().artefact, Artefact::None) << d.verdict;
+    }
+    EXPECT_GT(closed, 0);
+}
+
+// Rays that take each surface for 20 m thick darken pixels beside the box.
+TEST_F(DiagnosisTest, NamesContactShadowsThatDarkenALitPixel) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2});
+    int named = 0;
+    for (const char* azimuth : {"-110", "-20", "70", "160"}) {
+        Settings s = plain("pcf3", 3);
+        set_all(s, {{"camera.azimuth", azimuth}, "light.contact=3", "contact.steps=64", "contact.thickness=20"});
+        const auto pixel = find(measure(scene, s), Artefact::Contact);
+        if (!pixel) continue;
+        ++named;
+        const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+        EXPECT_EQ(d.cause().artefact, Artefact::Contact) << d.verdict;
+        EXPECT_NE(d.verdict.find("without contact shadows it is lit"), std::string::npos) << d.verdict;
+        EXPECT_FALSE(d.fix);
+    }
+    EXPECT_GT(named, 0);
+}
+
 }  // namespace
 }  // namespace si

@@ -7,6 +7,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/map_storage.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
@@ -190,6 +191,8 @@ const std::vector<Sets>& ways() {
         {{"bias.kind", "constant"}, {"bias.constant", "0"}, {"bias.normal", "0"}},
         {{"bias.kind", "receiver-plane-derivatives"}, {"bias.normal", "1"}, {"map.reversed_z", "true"}},
         {{"light.count", "3"}, {"light.1.type", "spot"}, {"light.2.elevation", "20"}},
+        {{"map.format", "linear"}, {"light.type", "spot"}, {"bias.kind", "receiver-plane"}},
+        {{"map.format", "linear16"}, {"light.type", "point"}, {"bias.kind", "receiver-plane"}},
     };
     return all;
 }
@@ -204,6 +207,7 @@ TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
     test::move_scene(far, {115, -3, 40});
     for (std::size_t way = 0; way < ways().size(); ++way) {
         int bounded = 0;
+        bool planes_over_distances = false;  // such maps have no bounds
         std::string told;
         for (std::size_t i = 0; i < 2; ++i) {
             const char* kernel = kKernels[(way + 3 * i) % std::size(kKernels)];
@@ -219,6 +223,7 @@ TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
                 set_setting(s, key, value);
                 what += " " + key + "=" + value;
             }
+            planes_over_distances |= holds_distances(s.map.format) && compares_per_texel(s);
             const bool away = way % 2 != 0;
             if (away) test::move_camera(s, {115, -3, 40});
             expect_equal_bytes(away ? far : scene, s, kLookups, what);
@@ -229,7 +234,8 @@ TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
             told = frame.pass("map bounds")->reason;
             bounded += frame.pass("map bounds")->state != PassState::Skipped;
         }
-        EXPECT_EQ(bounded > 0, ways()[way].empty() || ways()[way][0].first != "map.virtual") << way << ": " << told;
+        const bool paged = !ways()[way].empty() && ways()[way][0].first == "map.virtual";
+        EXPECT_EQ(bounded > 0, !paged && !planes_over_distances) << way << ": " << told;
     }
 }
 

@@ -1,7 +1,9 @@
 // Compares maps that are not square with the square map that they are a strip of.
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/bundle/imported_maps.h"
+#include "renderer/inspect/probe.h"
 #include "renderer/projection/view_of_matrix.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
@@ -66,6 +68,31 @@ TEST_F(OblongMapsTest, AStripShadesAsItsSquareMap) {
             EXPECT_GT(std::ranges::count_if(square.data, [](float v) { return v < 0.5f; }), 200);
             EXPECT_EQ(differing_values(square, visibility_of(scene, s, maps.strip), 0.02f), 0u);
         }
+}
+
+// A directional light's penumbra is as wide as its disc seen from the occluder's distance, whatever a texel's shape.
+TEST_F(OblongMapsTest, AProbesPenumbraHasTheWidthOfTheLight) {
+    const Scene scene = test::floor_and_box(4, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("pcss", 600, 1);
+    s.lights[0].fit = LightFit::Manual;
+    s.lights[0].extent = 16;
+    s.lights[0].size = 4;
+    request.map_size = MapSize(600, 150);
+    int compared = 0;
+    for (int y = 10; y < request.height; y += 6)
+        for (int x = 10; x < request.width; x += 6) {
+            const Probe probe = renderer.probe(scene, s, request, x, y);
+            if (!probe.hit) continue;
+            const Probe::PerLight& light = probe.lights.at(0);
+            const double texels = light.kernel.penumbra_texels;
+            // A penumbra has at least one texel, and filter.max_radius limits it.
+            if (std::isnan(texels) || texels < 1.01 || texels > 1.99 * s.filter.max_radius) continue;
+            ++compared;
+            EXPECT_GT(light.account.receiver.texel_m, 1.5 * light.account.receiver.texel_short_m);
+            const double wide_m = 2 * light.fitted.size * light.kernel.blocker_m;
+            EXPECT_NEAR(light.penumbra_m() / wide_m, 1, 1e-3) << x << ", " << y;
+        }
+    EXPECT_GT(compared, 3);
 }
 
 }  // namespace

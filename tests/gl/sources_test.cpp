@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "renderer/inspect/fragment_reference.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
@@ -303,6 +304,33 @@ TEST_F(SourcesTest, AProbeReportsTheSourcesVisibility) {
             ++(v.at(x, y) < 0.5f ? dark : lit);
         }
     EXPECT_GT(lit, 5);
+    EXPECT_GT(dark, 2);
+}
+
+// The cause of a pixel without a map follows from the drawn visibility: none where it is right.
+TEST_F(SourcesTest, AProbesCauseFollowsFromTheSourcesVisibility) {
+    const Scene scene = load_scene("boxes");
+    int dark = 0;
+    for (const Source& source : sources()) {
+        if (source.needs.map) continue;
+        SCOPED_TRACE(source.key);
+        const Settings s = settings_for(scene, {{"light.source", std::string(source.key)}});
+        FrameRequest request = asks_for_visibility();
+        render_with_reference(renderer, scene, s, request, cache, workers);
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
+        for (int y = 5; y < request.height; y += 17)
+            for (int x = 5; x < request.width; x += 17) {
+                const Probe p = renderer.probe(scene, s, request, x, y);
+                if (!p.hit) continue;
+                const Probe::PerLight& light = p.lights.at(0);
+                EXPECT_EQ(light.evidence.visibility, float(light.visibility)) << x << ", " << y;
+                const FragmentReference t = trace_fragment_reference(casters, p, light, s, object_traits(scene, s));
+                if (t.state != PixelState::Counted) continue;
+                const bool right = (light.visibility >= 0.5) == t.lit;
+                EXPECT_EQ(t.cause.artefact, right ? Artefact::None : Artefact::NoMap) << x << ", " << y;
+                dark += right && !t.lit;
+            }
+    }
     EXPECT_GT(dark, 2);
 }
 

@@ -142,15 +142,14 @@ void depths(const Probe::PerLight& p) {
             ? "Own depth after bias and normal offset; each texel is compared with the plane at its centre"
             : "Own depth after bias and normal offset");
     row("nearer by", metres_text(p.gap_m), "Distance of the stored surface from this one, along the light's ray");
-    row("visibility", fmt::format("{:.4f}", p.visibility), "Result of the renderer's filter: 1 lit, 0 in shadow");
+    row("visibility", fmt::format("{:.4f}", p.visibility),
+        "Result of the renderer's filter and contact shadows: 1 lit, 0 in shadow");
     const KernelFacts& k = p.kernel;
     if (!std::isnan(k.blocker_m))
         row("occluder", fmt::format("{} nearer", metres_text(k.blocker_m)),
             "Mean distance of the blockers that the kernel's search found, along the light's axis");
     if (!std::isnan(k.penumbra_texels))
-        row("penumbra",
-            fmt::format("{} wide   {}", texels_text(k.penumbra_texels),
-                        metres_text(k.penumbra_texels * p.account.receiver.texel_m)),
+        row("penumbra", fmt::format("{} wide   {}", texels_text(k.penumbra_texels), metres_text(p.penumbra_m())),
             "As wide as the light's size and the occluder's distance ask for, within the kernel's limits");
     if (!std::isnan(k.variance))
         row("variance", stored_text(k.variance, 3) + " of the range squared",
