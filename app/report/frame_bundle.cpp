@@ -204,7 +204,9 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
     Scene written = written_scene(shown);
     written.suggested.clear();
     out[kScene] = glb_bytes(written);
-    out[std::string(kFrameJson)] = format_bundle(bundle);
+    std::string text = format_bundle(bundle);
+    parse_bundle(text, kFrameJson);  // throws, so that no bundle that cannot be read replaces another one
+    out[std::string(kFrameJson)] = std::move(text);
     return out;
 }
 

@@ -257,9 +257,10 @@ void check_object(const JsonPlace& place, const BundleLight& l) {
     const JsonPlace at = place.member("choice");
     if (choice == ViewChoice::One && l.maps.size() != 1)
         at.fail(fmt::format("the choice one has {} maps", l.maps.size()), "give one map, or choose by map or interval");
-    if (choice == ViewChoice::Face && (l.maps.size() != 6 || l.type != LightType::Point))
-        at.fail(fmt::format("the choice face needs a point light with six maps, and there are {}", l.maps.size()),
-                "give the faces +x, -x, +y, -y, +z, -z");
+    if (choice == ViewChoice::Face && (l.maps.size() != 6 || l.type == LightType::Directional))
+        at.fail(
+            fmt::format("the choice face needs a spot or point light with six maps, and there are {}", l.maps.size()),
+            "give the faces +x, -x, +y, -y, +z, -z");
     if (choice == ViewChoice::Interval)
         for (std::size_t i = 0; i < l.maps.size(); ++i)
             if (!l.maps[i].interval)

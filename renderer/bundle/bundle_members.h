@@ -245,7 +245,7 @@ void members(Io& io, BundleLight& l) {
     io.required("type", ChoiceOf{kTypeKeys}, l.type);
     io.optional("direction", Vector{}, l.direction);
     io.optional("position", Vector{}, l.position);
-    io.optional("cone_deg", Number{.least = 0, .most = 180, .above = true}, l.cone_deg);
+    io.optional("cone_deg", Number{.least = 0, .most = 360, .above = true}, l.cone_deg);
     io.optional("choice", ChoiceOf{kChoiceKeys}, l.choice);
     io.value("closed", Switch{}, l.closed, false);
     io.list("maps", l.maps, 0, kMaxBundleMaps);
