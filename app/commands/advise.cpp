@@ -194,7 +194,7 @@ private:
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;
         set_settings(after, r.best.changes);
-        save_preset({"", "", r.summary, session_.scene_name, after}, o_.output);
+        save_preset({"", "", r.summary, scene_for_preset(session_.scene_name, o_.output), after}, o_.output);
         if (!o_.json) print_wrote(o_.output);
     }
 };

@@ -75,7 +75,9 @@ void run_preset_diff(const PresetOptions& options) {
 void run_preset_save(const PresetOptions& options) {
     require_output(options.output, "a preset", {".json"});
     const Session session = open_session(options.session);
-    save_preset({options.title, options.topic, options.about, session.scene_name, session.settings}, options.output);
+    save_preset({options.title, options.topic, options.about, scene_for_preset(session.scene_name, options.output),
+                 session.settings},
+                options.output);
     print_notes(session.notes);
 }
 

@@ -215,7 +215,7 @@ void run_tune(const TuneOptions& options) {
         end_if_interrupted("nothing was written");
         throw Error(tuned.summary + "; nothing was written");
     }
-    save_preset({"", "", tuned.summary, session.scene_name, after}, options.output);
+    save_preset({"", "", tuned.summary, scene_for_preset(session.scene_name, options.output), after}, options.output);
     if (!options.json) print_wrote(options.output);
     print_notes(session.notes);
     numbers.require_sound();

@@ -8,22 +8,12 @@
 
 #include "app/editor/requests.h"
 #include "renderer/base/error.h"
-#include "renderer/scenes/builtin.h"
 #include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns the scene's name to store in a preset file: a relative path if the scene is below the preset's folder, else
-/// an absolute one, so that the preset loads from any working directory.
-std::string scene_for(const fs::path& preset, const std::string& scene) {
-    if (is_builtin_scene(scene)) return scene;
-    const std::string file = absolute_path(scene);
-    const fs::path relative = fs::path(file).lexically_relative(fs::path(absolute_path(preset)).parent_path());
-    return relative.empty() || *relative.begin() == ".." ? file : relative.string();
-}
 
 }  // namespace
 
@@ -83,7 +73,7 @@ void PresetRequestHandler::save(const std::string& path, const std::optional<std
     // A file that was opened keeps its title, topic and sentence.
     Preset preset = files_.contains(key) ? files_.at(key) : Preset{};
     if (about) preset.about = *about;
-    preset.scene = scene_for(path, state_.scene_name);
+    preset.scene = scene_for_preset(state_.scene_name, path);
     preset.settings = state_.settings;
     save_preset(preset, path);
     preset.scene = state_.scene_name;  // under the editor's name for the scene

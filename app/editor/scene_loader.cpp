@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "app/editor/requests.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "ui/state/selection.h"
@@ -17,12 +20,38 @@
 namespace si {
 namespace {
 
+/// Returns true when two values of a setting are equal. Numbers may differ by rounding, because a drag of scene.scale
+/// multiplies a length many times.
+bool is_same_value(const Value& a, const Value& b) {
+    constexpr double kMaxRounding = 1e-9;  // share of the value
+    const double *x = std::get_if<double>(&a), *y = std::get_if<double>(&b);
+    if (!x || !y) return a == b;
+    return *x == *y || std::abs(*x - *y) <= kMaxRounding * std::max(std::abs(*x), std::abs(*y));
+}
+
+/// Returns settings with the placement of `scene`, and with their lengths scaled to it.
+Settings placed_at(Settings settings, const SceneSettings& scene) {
+    carry_settings(settings, settings.scene, scene);
+    settings.scene = scene;
+    return settings;
+}
+
+/// Returns the program's defaults as a preset means them: a preset leaves out lengths that equal the defaults at its
+/// own scale. @param scene the preset's scene settings
+Settings defaults_of_preset(const SceneSettings& scene) {
+    Settings settings;
+    settings.scene = scene;
+    return settings;
+}
+
 /// Returns `settings` with the values that equal those of `from` replaced by those of `to`. The user's changes survive
-/// a change of scene; the scene's suggestions do not.
+/// a change of scene; the scene's suggestions do not. Lengths are compared at the scale of `settings`, and the user's
+/// are scaled to that of `to`.
 Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
-    Settings out = settings;
+    const Settings unchanged = placed_at(from, settings.scene);
+    Settings out = placed_at(settings, to.scene);
     for (const SettingRef& ref : all_settings(to))
-        if (ref.param->scope != Scope::Object && get_value(settings, ref) == get_value(from, ref))
+        if (ref.param->scope != Scope::Object && is_same_value(get_value(settings, ref), get_value(unchanged, ref)))
             set_value(out, ref, get_value(to, ref));
     out.camera = to.camera;
     out.scene = to.scene;
@@ -140,9 +169,9 @@ void SceneLoader::show_reloaded(Scene loaded, const Arrival& arrival) {
         kept.scene.time = SceneSettings{}.time;
         pose_scene(loaded, kept.scene);
     }
-    const Settings base = suggests_ ? base_settings(loaded) : Settings{};
+    const Settings base = base_of(loaded);
     const auto follow = [&](const Settings& settings) {
-        Settings out = rebased(settings, base_, base);
+        Settings out = rebased(settings, base_, placed_at(base, settings.scene));
         out.camera = settings.camera;
         out.scene = kept.scene;
         out.objects = settings.objects;
@@ -193,7 +222,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         suggests_ = !arrival.plan->preset;
         scene_ = std::move(session.scene);
         notes = std::move(session.notes);
-        base_ = base_of_scene();
+        base_ = suggests_ ? base_settings(scene_) : defaults_of_preset(arrival.plan->preset->settings.scene);
     } else {
         if (arrival.settings) pose_scene(loaded, arrival.settings->scene);
         const Settings base = base_settings(loaded);
@@ -285,11 +314,13 @@ void SceneLoader::follow_time() {
     posed_ = state_.settings.scene;
     if (const std::string remark = pose_scene(scene_, posed_); !remark.empty())
         state_.log.add(LogKind::Warning, remark);
-    const Settings base = base_of_scene();
+    const Settings base = base_of(scene_);
     const Settings before = state_.settings;
+    const Settings unchanged = placed_at(base_, posed_), now = placed_at(base, posed_);
     for (const SettingRef& ref : all_settings(base))
-        if (ref.param->scope == Scope::Light && get_value(state_.settings, ref) == get_value(base_, ref))
-            set_value(state_.settings, ref, get_value(base, ref));
+        if (ref.param->scope == Scope::Light && get_value(base, ref) != get_value(base_, ref) &&
+            is_same_value(get_value(before, ref), get_value(unchanged, ref)))
+            set_value(state_.settings, ref, get_value(now, ref));
     if (state_.settings != before) state_.history.amend_step(before, state_.settings);
     base_ = base;
 }
@@ -305,7 +336,7 @@ std::vector<std::string> SceneLoader::apply_settings(const Settings& settings, c
     if (has_scene_) check_objects(scene_, taken, what, &left_out);
     given_ = state_.settings = taken;
     suggests_ = false;
-    base_ = base_of_scene();
+    base_ = defaults_of_preset(settings.scene);
     return left_out;
 }
 

@@ -125,9 +125,9 @@ private:
     /// Makes a loaded scene the shown one, and applies the settings that `arrival` brings. Resets the probe and the
     /// selection of the scene before.
     void show_scene(Scene loaded, const Arrival& arrival);
-    /// Returns the settings that count as unchanged: the scene's suggested settings, or the program's defaults under a
-    /// preset.
-    Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
+    /// Returns the settings that count as unchanged in the shown scene or a new version of it: the scene's suggested
+    /// settings, or the program's defaults under a preset.
+    Settings base_of(const Scene& scene) const { return suggests_ ? base_settings(scene) : base_; }
     /// Reads the scene's file again in the background, after a change of scene.index, scene.up or scene.unit. If the
     /// shown scene was read with these values already, only cancels the loading under way.
     void follow_file_choices();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/command_text.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/starting_values.h"
 
@@ -10,7 +11,10 @@ namespace si {
 
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings) {
     SessionPlan plan{.scene_name = scene_name, .preset = {}, .preset_path = {}, .sets = {}, .settings = {}};
-    for (const SettingRef& ref : settings_to_set(base_settings(scene), settings)) {
+    // compose_settings() scales all lengths that no assignment names.
+    Settings base = base_settings(scene);
+    carry_settings(base, base.scene, settings.scene);
+    for (const SettingRef& ref : settings_to_set(base, settings)) {
         plan.sets.push_back(setting_key(ref) + "=" + value_text(*ref.param, get_value(settings, ref)));
         apply_set(plan.settings, plan.sets.back());
     }

@@ -8,7 +8,8 @@
 namespace si {
 
 /// Returns a session plan that opens a scene with the given settings, to draw the editor's picture again. Settings that
-/// differ from those with which the scene opens (base_settings()) become assignments of --set.
+/// differ from those with which the scene opens at this scale (base_settings(), carry_settings()) become assignments of
+/// --set.
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 
 /// Formats a command line that renders a scene with the given settings, for the user to copy. Settings that differ from

@@ -181,8 +181,13 @@ void paths_to_folder(Settings& settings, const std::filesystem::path& file) {
         // Links of the folder are resolved, so that ".." leads where it should.
         const std::filesystem::path folder = std::filesystem::weakly_canonical(folder_of(file), error);
         if (error) return path;
-        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
-        return error ? path : whole.lexically_relative(folder);
+        // weakly_canonical() leaves a path relative if its first part does not exist.
+        const std::filesystem::path given = std::filesystem::absolute(path, error);
+        if (error) return path;
+        const std::filesystem::path whole = std::filesystem::weakly_canonical(given, error);
+        if (error) return path;
+        const std::filesystem::path relative = whole.lexically_relative(folder);
+        return relative.empty() ? whole : relative;
     });
 }
 

@@ -58,10 +58,22 @@ void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::s
 }  // namespace
 
 std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
+    if (preset.scene.empty() || is_builtin_scene(preset.scene)) return preset.scene;
     std::error_code error;
-    if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
     const fs::path in_folder = fs::path(preset_path).parent_path() / preset.scene;
     return fs::exists(in_folder, error) ? in_folder.string() : preset.scene;
+}
+
+std::string scene_for_preset(const std::string& scene_name, const fs::path& preset_path) {
+    if (is_builtin_scene(scene_name)) return scene_name;
+    const auto absolute = [](const fs::path& path) {
+        std::error_code error;
+        const fs::path whole = fs::absolute(path, error);
+        return (error ? path : whole).lexically_normal();
+    };
+    const fs::path file = absolute(scene_name);
+    const fs::path relative = file.lexically_relative(absolute(preset_path).parent_path());
+    return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
 }
 
 GltfOptions scene_options(const SessionPlan& plan) {

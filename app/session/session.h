@@ -53,10 +53,14 @@ struct SessionPlan {
 /// @throws UsageError; Error for an unreadable preset
 SessionPlan plan_session(const SessionOptions& options);
 
-/// Returns the name of a preset's scene for load_scene(). A path is relative to the working directory if the file
-/// exists there, else to the preset's folder. Empty if the preset names no scene.
+/// Returns the name of a preset's scene for load_scene(). A path is relative to the preset's folder if the file exists
+/// there, else to the working directory. Empty if the preset names no scene.
 /// @param preset_path path of the preset's file, or key of a built-in preset
 std::string scene_of_preset(const Preset& preset, const std::string& preset_path);
+/// Returns the scene's name to store in a preset's file: a key of a built-in scene, a relative path if the scene is
+/// below the preset's folder, else an absolute path. The preset then loads from any working directory.
+/// @param scene_name name for load_scene() @param preset_path path of the preset's file
+std::string scene_for_preset(const std::string& scene_name, const std::filesystem::path& preset_path);
 
 /// Returns the options with which load_scene() reads the scene of a session plan: the scene inside the file, its up
 /// axis and unit.

@@ -99,8 +99,10 @@ std::string_view projection_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Point) ? "without effect: a point light has six perspective faces" : "";
 }
 
-std::string_view size_idle(const Settings& s, int) {
-    return s.truth.area || filter_of(s).reads_light_size
+std::string_view size_idle(const Settings& s, int i) {
+    // Several rays of a texel end all over the light; a single one ends at its middle.
+    const bool baked = of(s, i).cast && source_of(s, i).needs.light_map && s.light_map.samples > 1;
+    return s.truth.area || filter_of(s).reads_light_size || baked
                ? ""
                : "without effect: this kernel treats lights as points, and truth.area is off";
 }

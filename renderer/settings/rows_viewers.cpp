@@ -3,6 +3,7 @@
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/rows.h"
 
 namespace si {
@@ -116,9 +117,11 @@ std::string_view range_idle(const Settings& s, int) {
     return s.view.overlay_range != OverlayRange::Manual ? "without effect: set view.overlay_range to manual" : "";
 }
 
+int index_of_shown_light(const Settings& s) {
+    return s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
+}
 const LightSettings& shown_light(const Settings& s) {
-    const int light = s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
-    return s.lights[std::size_t(light)];
+    return s.lights[std::size_t(index_of_shown_light(s))];
 }
 
 std::string_view face_idle(const Settings& s, int) {
@@ -128,7 +131,9 @@ std::string_view face_idle(const Settings& s, int) {
         shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&
                           shown.projection != LightProjection::Perspective;
-    return faces || cascades ? "" : "without effect: the light shown has a single map";
+    return faces || cascades || has_clip_levels(s, index_of_shown_light(s))
+               ? ""
+               : "without effect: the light shown has a single map";
 }
 
 std::string_view slabs_idle(const Settings& s, int) {

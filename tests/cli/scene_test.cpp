@@ -1,4 +1,4 @@
-// Tests of `scene` and of contact sheets for a folder of models.
+// Tests of `scene`, of contact sheets for a folder of models, and of scenes that presets name.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/session/session.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
 #include "tests/support/traits.h"
@@ -183,6 +184,39 @@ TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     EXPECT_EQ(half["settings"]["bias.slope"], 3.0);
     EXPECT_EQ(half["settings"]["light.intensity"], 0.25);
     EXPECT_EQ(half["settings"]["map.resolution"], 512);
+
+    // Settings of the preset that equal the program's defaults are not replaced by suggestions for the model.
+    const ProcessResult sun = run_program("preset save boxes -o sun.json --set bias.slope=1", folder);
+    ASSERT_EQ(sun.code, 0) << sun.err;
+    const Json lit_by_sun = exported("--preset sun.json");
+    EXPECT_EQ(lit_by_sun["settings"].value("light.type", "directional"), "directional") << "not by the file's lamp";
+    for (const char* key :
+         {"light.count", "light.type", "light.fit", "light.azimuth", "light.elevation", "caster.blend"})
+        EXPECT_TRUE(suggested().contains(key)) << key;
+    EXPECT_FALSE(suggested().contains("light.1.type")) << "there is one light";
+}
+
+TEST(PresetScene, IsSoughtInThePresetsFolderFirst) {
+    namespace fs = std::filesystem;
+    const auto folder = fresh_test_folder();
+    write(folder / "a/scene.glb", rich_model());
+    ASSERT_EQ(run_program("preset save scene.glb -o p.json", folder / "a").code, 0);
+    EXPECT_EQ(Json::parse(file_bytes(folder / "a/p.json"))["scene"], "scene.glb");
+    // A name that exists in the working directory, too.
+    const fs::path name = fs::directory_iterator(fs::current_path())->path().filename();
+    write(folder / "a" / name, rich_model());
+    Preset preset;
+    preset.scene = name.string();
+    EXPECT_EQ(scene_of_preset(preset, (folder / "a/p.json").string()), (folder / "a" / name).string());
+    EXPECT_EQ(scene_of_preset(preset, (folder / "none/p.json").string()), name.string());
+}
+
+TEST(PresetScene, BuiltInKeyIsNoFolderBesideThePreset) {
+    const auto folder = fresh_test_folder();
+    std::filesystem::create_directories(folder / "out/stage");
+    ASSERT_EQ(run_program("preset save stage -o out/t.json", folder).code, 0);
+    const ProcessResult checked = run_program("preset check out/t.json", folder);
+    EXPECT_EQ(checked.code, 0) << checked.err;
 }
 
 TEST(ContactSheet, ShowsModelsAndNamesFailures) {

@@ -16,6 +16,7 @@
 #include "app/session/scene_loading.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/scene/placement.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
@@ -360,6 +361,44 @@ TEST(Loading, SceneIndexReadsAnotherSceneOfTheFile) {
     EXPECT_EQ(model.state.settings.scene.index, -1) << "what is shown";
     EXPECT_NE(last_line(editor).find("scene 5 does not exist"), std::string::npos) << last_line(editor);
     EXPECT_FALSE(model.loading()) << "it is not tried again and again";
+}
+
+/// Returns the bytes of a .glb: a triangle below a spot light. @param height height of the light, metres
+std::string spot_model(double height) {
+    test::GltfFile file;
+    file.add_triangle();
+    file.json["extensions"] = {
+        {"KHR_lights_punctual", {{"lights", {{{"type", "spot"}, {"spot", test::Json::object()}}}}}}};
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    file.root({{"translation", {0, height, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    return file.glb();
+}
+
+SI_TEST_IS(Later, Loading, LengthsOfAScaledSceneDoNotReachTheNextOne);
+TEST(Loading, LengthsOfAScaledSceneDoNotReachTheNextOne) {
+    const test::TemporaryFolder folder;
+    const std::string next = folder.write("next.glb", spot_model(7)).string();
+    test::TestEditor editor(test::editor_options(folder.write("first.glb", spot_model(4)).string()));
+    Settings& s = editor.state().settings;
+    const double distance = s.lights[0].distance;
+    ASSERT_GT(distance, 0);
+    s.lights[0].contact = 0.25;  // the user's own length
+    editor.settle();
+    // A drag, as the settings panel carries it.
+    for (const double scale : {1.3, 2.1, 3.7, 7.3, 10.0}) {
+        const SceneSettings before = s.scene;
+        s.scene.scale = scale;
+        carry_settings(s, before, s.scene);
+        editor.frame();
+    }
+    editor.settle();
+    ASSERT_NEAR(s.lights[0].distance, 10 * distance, 1e-9);
+    editor.model().open(next);
+    editor.settle();
+    EXPECT_NEAR(s.lights[0].contact, 0.25, 1e-9);
+    Settings expected = base_settings(load_scene(next));
+    expected.lights[0].contact = s.lights[0].contact;
+    EXPECT_EQ(s, expected);
 }
 
 TEST(Loading, FileIsReadByTheLoaderWithProgress) {

@@ -17,6 +17,7 @@
 #include "tests/ui/test_editor.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
+#include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
@@ -77,6 +78,46 @@ TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     EXPECT_GT(f.texel_usage->pixels(texel), 0u);
     const auto readers = f.texel_usage->readers(texel);
     EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
+}
+
+/// Returns the middle of all that a list of draw commands has in a colour, pixels; nothing: it lacks the colour.
+std::optional<glm::vec2> middle_of_colour(const ImDrawList& list, ImU32 colour) {
+    glm::vec2 lo(1e9f), hi(-1e9f);
+    for (const ImDrawVert& v : list.VtxBuffer) {
+        if (v.col != colour) continue;
+        lo = glm::min(lo, glm::vec2(v.pos.x, v.pos.y));
+        hi = glm::max(hi, glm::vec2(v.pos.x, v.pos.y));
+    }
+    return lo.x > hi.x ? std::nullopt : std::optional(0.5f * (lo + hi));
+}
+
+// A map of 128 by 512 texels: the texels of the hovered pixel are marked where the probe marks those that it compares.
+SI_TEST_IS(Later, MapViewer, MarksTexelsInAMapThatIsNotSquare);
+TEST(MapViewer, MarksTexelsInAMapThatIsNotSquare) {
+    WideEditor editor({}, "hard/given-strip");
+    ASSERT_NE(editor.facts().result->map_size.width, editor.facts().result->map_size.height);
+    EditorState& state = editor.state();
+    const auto at = hover(editor, {120, 150}, {500, 380}, [&] {
+        const EditorFrame f = editor.model().facts();
+        const auto& pixel = state.viewport.hovered_pixel;
+        if (!pixel || !f.map_coordinates || f.map_coordinates->at(pixel->x, pixel->y, 3) <= 0) return false;
+        const float v = f.map_coordinates->at(pixel->x, pixel->y, 1);
+        return v > 0.3f && v < 0.9f;
+    });
+    ASSERT_TRUE(at) << "no pixel reads the map";
+    state.probe_pixel = *state.viewport.hovered_pixel;
+    editor.frames(3);
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    int marked = 0;
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+        const auto linked = middle_of_colour(*drawn.CmdLists[i], theme::kLinked);
+        if (!linked) continue;
+        ++marked;
+        const auto probed = middle_of_colour(*drawn.CmdLists[i], theme::kProbed);
+        ASSERT_TRUE(probed);
+        EXPECT_LT(glm::distance(*linked, *probed), 6) << "pixels of the screen";
+    }
+    EXPECT_EQ(marked, 1) << "the map viewer";
 }
 
 SI_TEST_IS(Later, MapViewer, HoveredTexelMarksThePixelsThatReadIt);

@@ -215,8 +215,9 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
     if (!c || pixel.x < 0 || pixel.y < 0 || pixel.x >= c->width || pixel.y >= c->height) return;
     if (c->at(pixel.x, pixel.y, 3) <= 0 || int(c->at(pixel.x, pixel.y, 2)) != shown_face(state.settings, *frame.result))
         return;
-    const KernelFootprint f = kernel_footprint(c->at(pixel.x, pixel.y, 0), c->at(pixel.x, pixel.y, 1), rect.texels.x,
-                                               reach_of(state.settings).read);
+    const MapSize size(rect.texels.x, rect.texels.y);
+    const KernelFootprint f =
+        kernel_footprint(c->at(pixel.x, pixel.y, 0), c->at(pixel.x, pixel.y, 1), size, reach_of(state.settings).read);
     outline_texels(rect, f.first, glm::ivec2(f.count), colour);
 }
 
