@@ -21,12 +21,14 @@ void add_sweep(CLI::App& app, Run& run) {
                 "A setting and its values: KEY=V1,V2,... or KEY=from:to:step (step *2 doubles) or KEY=* for every "
                 "choice; may be repeated")
         ->allow_extra_args(false);
-    c.add_value("--along", o.along, "PATH",
-                "Move a light instead: KEY=from:to,KEY=from:to, such as light.azimuth=0:90,light.elevation=10:60. All "
-                "move together; writes path.json, path.csv and path.html");
-    c.add_value("--day", o.day, "LATITUDE,DAY",
-                "Move the sun from sunrise to sunset instead: degrees (north is positive) and day of the year, such as "
-                "48,172. South is +z, east +x");
+    auto* along = c.add_value(
+        "--along", o.along, "PATH",
+        "Move a light instead: KEY=from:to,KEY=from:to, such as light.azimuth=0:90,light.elevation=10:60. All "
+        "move together; writes path.json, path.csv and path.html");
+    auto* day = c.add_value(
+        "--day", o.day, "LATITUDE,DAY",
+        "Move the sun from sunrise to sunset instead: degrees (north is positive) and day of the year, such as "
+        "48,172. South is +z, east +x");
     c.app()
         .add_option("--steps", o.steps, fmt::format("With --along and --day: number of steps (default {})", kPathSteps))
         ->type_name("N")
@@ -42,10 +44,14 @@ void add_sweep(CLI::App& app, Run& run) {
     c.app()
         .add_option("--rounds", o.timing.rounds,
                     "Largest number of rounds of timed frames (default 10); fewer if every case's time has settled")
-        ->check(CLI::Range(1, 10'000));
+        ->check(CLI::Range(1, 10'000))
+        ->excludes(along)
+        ->excludes(day);
     c.app()
         .add_option("--frames", o.timing.frames, "Timed frames of a case in a round (default 3)")
-        ->check(CLI::Range(1, 1'000));
+        ->check(CLI::Range(1, 1'000))
+        ->excludes(along)
+        ->excludes(day);
     c.add_area();
     o.cost = kFrontierCost;
     c.add_cost();

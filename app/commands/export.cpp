@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "app/base/notes.h"
@@ -27,6 +29,24 @@ void export_bundle(const ExportOptions& options) {
     print_notes(export_notes(written_scene(session.scene)));
 }
 
+/// Returns true for a setting that a loader suggests on its own where a file does not state it.
+bool is_suggested_by_loader(const SettingRef& ref, const Settings& settings) {
+    constexpr std::string_view kKeys[] = {"light.count",   "light.type",      "light.fit",
+                                          "light.azimuth", "light.elevation", "caster.blend"};
+    if (std::ranges::find(kKeys, ref.param->key) == std::end(kKeys)) return false;
+    return ref.param->scope != Scope::Light || ref.light < settings.light_count;
+}
+
+/// Returns the settings that a file states, so that it opens with all of them.
+std::vector<SettingRef> stated_settings(const Settings& settings) {
+    std::vector<SettingRef> stated = all_settings(settings);
+    std::erase_if(stated, [&](const SettingRef& ref) {
+        return ref.param->key.starts_with("scene.") ||  // the file holds the pose at one time only
+               (get_value(settings, ref) == default_value(ref) && !is_suggested_by_loader(ref, settings));
+    });
+    return stated;
+}
+
 }  // namespace
 
 void run_export(const ExportOptions& options) {
@@ -36,10 +56,9 @@ void run_export(const ExportOptions& options) {
     Session session = open_session(options.session);
     if (!options.session.preset.empty() || !options.session.sets.empty()) {
         session.scene.suggested.clear();
-        for (const SettingRef& ref : changed_settings(session.settings))
-            if (!ref.param->key.starts_with("scene."))  // the file holds the pose at one time only
-                session.scene.suggested.emplace_back(setting_key(ref),
-                                                     value_text(*ref.param, get_value(session.settings, ref)));
+        for (const SettingRef& ref : stated_settings(session.settings))
+            session.scene.suggested.emplace_back(setting_key(ref),
+                                                 value_text(*ref.param, get_value(session.settings, ref)));
     }
     const Scene written = written_scene(session.scene);
     const std::vector<std::string> changes = export_notes(written);

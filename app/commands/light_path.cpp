@@ -12,6 +12,7 @@
 #include "app/base/output.h"
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
+#include "app/report/health_report.h"
 #include "app/report/light_path_report.h"
 #include "app/report/report.h"
 #include "app/session/presets.h"
@@ -108,6 +109,8 @@ void run_path(const PathSweepOptions& options) {
     if (!options.along.empty() && !options.day.empty())
         throw UsageError("--day: --along gives a path already; leave one out");
     if (!options.shard.empty()) throw UsageError("--shard: a path is measured in one run; leave it out");
+    if (options.retry) throw UsageError("--retry: a path keeps no failed cases; leave it out");
+    if (options.fresh) throw UsageError("--fresh: a path is always measured from its start; leave it out");
     const Metric& metric = tuned_error(options.error);
     if (!options.worst_preset.empty()) require_output(options.worst_preset, "the preset", {".json"});
     const fs::path folder = options.output;
@@ -125,6 +128,7 @@ void run_path(const PathSweepOptions& options) {
     require_own_files(files);
     const HeadlessContext context;
     Renderer renderer;
+    const NumberWatch numbers(renderer, session.settings, options.check_numeric);
     LightPathReport report{.scene = session.scene_name,
                            .width = options.size.width,
                            .height = options.size.height,
@@ -158,12 +162,13 @@ void run_path(const PathSweepOptions& options) {
         save_preset({"", "",
                      fmt::format("Worst step of {}: {} {:.5f}", path.about, metric.label,
                                  metric.value(report.measured.steps[report.measured.worst(metric)].error)),
-                     session.scene_name, settings_at(session.settings, worst)},
+                     scene_for_preset(session.scene_name, options.worst_preset), settings_at(session.settings, worst)},
                     options.worst_preset);
     print_result(report);
     if (!options.worst_preset.empty()) print_wrote(options.worst_preset);
     print_wrote(files[2]);
     print_notes(session.notes);
+    numbers.require_sound();
 }
 
 }  // namespace

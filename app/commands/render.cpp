@@ -18,6 +18,8 @@
 #include "renderer/inspect/grey_range.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/render/reference_frames.h"
+#include "renderer/scene/placement.h"
+#include "renderer/scene/scene.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -47,13 +49,20 @@ MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settin
     return {frame.camera, frame.seen_m};
 }
 
+/// Sets the view to one pane without overlays and slabs.
+void show_plain_picture(ViewSettings& view) {
+    view.overlay = 0;
+    view.panes = Panes::One;
+    view.slabs = Slabs::None;
+}
+
 /// Draws the frame and the one that it is compared with into one picture. Returns the mean difference of both.
 /// @param preset preset of the other picture; null: the reference
 double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
                      const Settings* preset, FrameResult& frame) {
     ReferenceCache references;
     Settings settings = session.settings;
-    settings.view.panes = Panes::One;
+    show_plain_picture(settings.view);
     request.outputs.true_colour = preset == nullptr;
     frame = render_with_reference(renderer, session.scene, settings, request, references, workers_with_progress());
     const ByteImage a = renderer.read_colour(frame.colour);
@@ -62,11 +71,15 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
         if (!frame.true_colour.texture) throw Error("--against truth: there is no light to trace a reference of");
         b = renderer.read_colour(frame.true_colour);
     } else {
-        Settings other = settings_with_shadows_of(settings, *preset);
+        Settings placed = *preset;
+        carry_settings(placed, preset->scene, settings.scene);
+        Settings other = settings_with_shadows_of(settings, placed);
         check_objects(session.scene, other, options.against, nullptr);
+        Scene shown = session.scene;
+        hide_objects(shown, hidden_paths(other));
         request.outputs.true_colour = false;
         b = renderer.read_colour(
-            render_with_reference(renderer, session.scene, other, request, references, workers_with_progress()).colour);
+            render_with_reference(renderer, shown, other, request, references, workers_with_progress()).colour);
     }
     write_png(options.output, options.difference   ? difference_image(a, b)
                               : options.swipe >= 0 ? swipe_image(a, b, options.swipe)
@@ -112,11 +125,7 @@ void run_render(const RenderOptions& options) {
                                                                       : kComparedPixelBytes);
     Session session = open_session(options.session);
     // --view shaded draws the plain picture; without --view the settings decide on overlays, panes and slabs.
-    if (options.view == "shaded") {
-        session.settings.view.overlay = 0;
-        session.settings.view.panes = Panes::One;
-        session.settings.view.slabs = Slabs::None;
-    }
+    if (options.view == "shaded") show_plain_picture(session.settings.view);
     if (view.overlay > 0) session.settings.view.overlay = view.overlay;
     if (options.fit) session.settings.view.map_fit = true;
 

@@ -294,6 +294,25 @@ TEST(Check, TheScriptOfTheDocumentsChecksAFolder) {
     EXPECT_EQ(script("frames").code, 2);
     EXPECT_EQ(script("frames reports --max-acne much").code, 2);
     EXPECT_EQ(script("reports others --max-acne 0").code, 1) << "no frame was found";
+    EXPECT_EQ(script("none reports --max-acne 0").code, 2);
+    const ProcessResult no_baselines = script("frames reports none --max-acne 0");
+    EXPECT_EQ(no_baselines.code, 2);
+    EXPECT_NE(no_baselines.err.find("none: no such folder"), std::string::npos) << no_baselines.err;
+}
+
+TEST(Check, TheScriptChecksModelsOfAnyNameAndNamesWhatItLeavesOut) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directory(folder / "frames");
+    for (const char* file : {"a.OBJ", "b.glb", "b.bin", "a.mtl", "wood.PNG", "b.json", "notes.txt", "fbx"})
+        write_check_text(folder / "frames" / file, "text");
+    // `true` in place of the program: the choice of files counts.
+    const ProcessResult r =
+        run_shell("SHADOW_INSPECTOR=true '" SI_SOURCE_DIR "/scripts/check_frames.sh' frames reports", folder);
+    EXPECT_EQ(r.code, 0) << r.out << r.err;
+    EXPECT_EQ(r.out,
+              "== a.OBJ\n== b.glb\n== fbx: left out: no extension of a frame\n"
+              "== notes.txt: left out: no extension of a frame\n"
+              "== 2 frames: 0 beyond a limit, 0 not checked\n== 2 files left out\n");
 }
 
 TEST(Check, ASignalLeavesNothing) {

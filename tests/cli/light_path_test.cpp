@@ -87,6 +87,11 @@ TEST(LightPathCommand, MistakesAreNamedAndWriteNothing) {
     expect_error("sweep boxes --along light.azimuth=0:9 --vary bias.slope=1 -o out", 2, "--vary", folder);
     expect_error("sweep boxes --along light.azimuth=0:9 --day 48,172 -o out", 2, "--day", folder);
     expect_error("sweep boxes --along light.azimuth=0:9 --shard 1/2 -o out", 2, "--shard", folder);
+    for (const std::string option : {"--retry", "--fresh", "--rounds 3", "--frames 3"}) {
+        const std::string name = option.substr(0, option.find(' ')), words = option + " -o out";
+        expect_error("sweep boxes --along light.azimuth=0:9 " + words, 2, name, folder);
+        expect_error("sweep boxes --day 48,172 " + words, 2, name, folder);
+    }
     expect_error("sweep boxes --along light.azimuth=0:9 --steps 1 -o out", 2, "--steps 1", folder);
     expect_error("sweep boxes --along light.azimut=0:9 -o out", 2, "light.azimuth", folder);
     expect_error("sweep boxes --day 80,355 -o out", 2, "does not rise", folder);

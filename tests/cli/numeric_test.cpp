@@ -85,6 +85,11 @@ TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     // The picture of 256 texels has a fault, too.
     expect_spoilt(sweep, {"--check-numeric: with --set map.resolution=128: " + place, "pictures have faults"}, 128);
     EXPECT_TRUE(std::filesystem::exists(folder / "sweep/results.csv")) << "the sweep is lost";
+    const Words path = "sweep boxes --along light.azimuth=10:40 --steps 2 --no-time -o" + Words{folder / "path"};
+    const ProcessResult sound_path = run_here(path + kSearched, 1000);
+    EXPECT_EQ(sound_path.code, 0) << sound_path.err;
+    expect_spoilt(path + kSearched, {"--check-numeric: ", place});
+    EXPECT_TRUE(std::filesystem::exists(folder / "path/path.json")) << "the path is lost";
     expect_spoilt(Words{"tune", "boxes", "-o", folder / "tuned.json"} + kSearched, {as_given});
     EXPECT_TRUE(std::filesystem::exists(folder / "tuned.json"));
     expect_spoilt("advise boxes --max-error 1 --vary filter.kernel=hard --seconds 1" + kSearched, {as_given});

@@ -93,6 +93,29 @@ TEST_F(PictureComparison, PresetIsDrawnUnderTheSameCamera) {
     EXPECT_TRUE(same(both, 162, picture("own.png"), 0, 160)) << "its light and bias, our camera";
 }
 
+TEST_F(PictureComparison, BothPicturesAreDrawnWithoutOverlaysAndSlabs) {
+    draw("plain.png", "--view shaded");
+    draw("against.png", "--against truth --set view.overlay=n-dot-l --set view.slabs=stored");
+    EXPECT_TRUE(same(picture("against.png"), 0, picture("plain.png"), 0, 160));
+}
+
+TEST_F(PictureComparison, PresetHidesItsObjectsAndFollowsTheScale) {
+    const Words kSaved[] = {"--set object.Boxes/Floor.shown=false", "--set light.type=spot --set light.distance=9"};
+    const Words kShown[] = {Words{}, Words("--set scene.scale=10")};
+    for (int i = 0; i < 2; ++i) {
+        const ProcessResult saved = run_program("preset save boxes -o p.json" + kSaved[i], folder_);
+        ASSERT_EQ(saved.code, 0) << saved.err;
+        const ProcessResult both =
+            run_program("render boxes --size 160x90 --against p.json -o both.png" + kShown[i], folder_);
+        ASSERT_EQ(both.code, 0) << both.err;
+        EXPECT_FALSE(both.out.starts_with("mean |A - B| 0.000000")) << both.out;
+        const ProcessResult own =
+            run_program("render boxes --size 160x90 --preset p.json -o own.png" + kShown[i], folder_);
+        ASSERT_EQ(own.code, 0) << own.err;
+        EXPECT_TRUE(same(picture("both.png"), 162, picture("own.png"), 0, 160)) << testing::PrintToString(kSaved[i]);
+    }
+}
+
 TEST_F(PictureComparison, OverlaysOfTheReferenceTraceIt) {
     draw("artefacts.png", "--set view.overlay=artefacts");
     const Picture p = picture("artefacts.png");
