@@ -164,10 +164,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
                                state_.engine_panel.profile};
         search.start(scene, of, first,
                      [requested, work](const SearchTools& tools, const Settings& settings, const auto& show) {
-                         if constexpr (requires { work(tools, settings, requested, show); })
-                             return work(tools, settings, requested, show);
-                         else
-                             return work(tools, settings, requested);
+                         return work(tools, settings, requested, show);
                      });
     };
     request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });
@@ -198,7 +195,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     if (requests.cancel_waste) waste_.cancel();
     request(requests.compare_pipelines, [&] {
         start(pipelines_, "four pipelines", std::monostate(),
-              [](const SearchTools& t, const Settings& settings, std::monostate) {
+              [](const SearchTools& t, const Settings& settings, std::monostate, const auto&) {
                   return compare_pipelines(t.renderer, t.scene, settings, t.width, t.height);
               });
     });
@@ -216,7 +213,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     if (requests.cancel_path) light_path_.cancel();
     request(requests.measure_conversion, [&] {
         start(conversion_, "tilt of lit pixels", printable(state_.scene_name),
-              [](const SearchTools& t, const Settings& settings, const std::string& name) {
+              [](const SearchTools& t, const Settings& settings, const std::string& name, const auto&) {
                   return measure_conversion(t, settings, name, kDefaultCost);
               });
     });

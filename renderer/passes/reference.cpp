@@ -247,7 +247,7 @@ Pass sums_pass(FrameState& f, ReferenceTargets& t) {
         extra.push_back({"TILE", std::to_string(kTile)});
         f.use_fullscreen("passes/error_tiles.frag.glsl", std::move(extra));
         FrameState::draw_fullscreen(info);
-        t.error = std::make_shared<const LiveError>(metrics_of(read_tiles(tiles, has_map), reference));
+        t.error = std::make_shared<const LiveError>(LiveError{metrics_of(read_tiles(tiles, has_map), reference)});
     };
     return pass;
 }

@@ -90,9 +90,9 @@ ProcessResult run_program(const Words& arguments, const fs::path& folder) {
     return run(Words{SI_PROGRAM} + arguments, folder);
 }
 
-nlohmann::json program_json(const Words& arguments, const fs::path& folder, std::source_location caller) {
+nlohmann::json program_json(const Words& arguments, const fs::path& folder, Caller caller) {
     const ProcessResult r = run_program(arguments + "--json", folder);
-    const testing::ScopedTrace trace(caller.file_name(), int(caller.line()), testing::PrintToString(arguments));
+    const testing::ScopedTrace trace(caller.file, caller.line, testing::PrintToString(arguments));
     EXPECT_EQ(r.code, 0) << r.err;
     return nlohmann::json::parse(r.out, nullptr, false);
 }
@@ -105,9 +105,9 @@ Words set_words(const nlohmann::json& settings) {
 }
 
 ProcessResult expect_error(const Words& arguments, int code, std::string_view text, const fs::path& folder,
-                           std::source_location caller) {
+                           Caller caller) {
     const ProcessResult r = run_program(arguments, folder);
-    const testing::ScopedTrace trace(caller.file_name(), int(caller.line()), testing::PrintToString(arguments));
+    const testing::ScopedTrace trace(caller.file, caller.line, testing::PrintToString(arguments));
     EXPECT_EQ(r.code, code) << r.err;
     EXPECT_NE(r.err.find(text), std::string::npos) << text << " is missing in: " << r.err;
     return r;

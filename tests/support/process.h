@@ -3,10 +3,11 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/support/caller.h"
 
 namespace si {
 
@@ -42,7 +43,7 @@ ProcessResult run_program(const Words& arguments,
 /// output is not JSON. A failure names the command and its caller.
 nlohmann::json program_json(const Words& arguments,
                             const std::filesystem::path& folder = std::filesystem::current_path(),
-                            std::source_location caller = std::source_location::current());
+                            Caller caller = Caller::here());
 
 /// Returns the words of --set for a JSON object of settings with their values as texts.
 Words set_words(const nlohmann::json& settings);
@@ -51,7 +52,7 @@ Words set_words(const nlohmann::json& settings);
 /// caller.
 ProcessResult expect_error(const Words& arguments, int code, std::string_view text,
                            const std::filesystem::path& folder = std::filesystem::current_path(),
-                           std::source_location caller = std::source_location::current());
+                           Caller caller = Caller::here());
 
 /// Runs a script of /bin/sh in which $SI is the path of shadow-inspector, for tests of redirections and limits.
 /// @param folder working directory of the shell

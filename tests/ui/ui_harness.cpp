@@ -189,9 +189,9 @@ void UiHarness::click(glm::vec2 at, int button) {
     drag(at, at, button);
 }
 
-void UiHarness::click(std::optional<glm::vec2> widget, int button, std::source_location caller) {
+void UiHarness::click(std::optional<glm::vec2> widget, int button, Caller caller) {
     if (widget) return click(*widget, button);
-    ADD_FAILURE_AT(caller.file_name(), int(caller.line())) << "not on the screen: " << sought_;
+    ADD_FAILURE_AT(caller.file, caller.line) << "not on the screen: " << sought_;
 }
 
 EditorRequests UiHarness::click_here() {

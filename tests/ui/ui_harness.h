@@ -5,7 +5,6 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <optional>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/live_error.h"
+#include "tests/support/caller.h"
 #include "tests/ui/drawn_text.h"
 #include "ui/state/editor_ui.h"
 
@@ -91,8 +91,7 @@ public:
     /// Presses and releases a mouse button at a position in pixels, with frames between.
     void click(glm::vec2 at, int button = 0);
     /// Clicks a widget that find() returned. Fails the test at the caller's line if find() returned nothing.
-    void click(std::optional<glm::vec2> widget, int button = 0,
-               std::source_location caller = std::source_location::current());
+    void click(std::optional<glm::vec2> widget, int button = 0, Caller caller = Caller::here());
     /// Presses and releases the left button at the mouse's position. Returns the requests of the frame of the release.
     EditorRequests click_here();
     /// Presses and releases a key, a frame each. Returns the requests of the frame with the pressed key.
