@@ -146,6 +146,14 @@ void EngineOutput::put_length_offset(std::string_view key, double value, const B
         value);
 }
 
+void EngineOutput::put_slope(std::string_view key, double factor, double wanted_texels, const BiasNumbers& bias) {
+    const double texels_per_number = factor * tan_angle(facts_);
+    const double slope = quotient(wanted_texels, texels_per_number);
+    put(key, slope, Exactness::EqualAtAngle, slope * texels_per_number,
+        quotient(bias.constant_texels, texels_per_number),
+        std::string(slope == 0 && wanted_texels > 0 ? kNoBiasAtAngle : "a slope; a constant has no counterpart"));
+}
+
 void EngineOutput::miss(std::string_view key, double value, std::string reason) {
     if (value != 0) to_.missing.push_back({std::string(key), fmt::format("{:.6g}", value), std::move(reason)});
 }

@@ -95,6 +95,13 @@ public:
     /// @param value length in the engine's unit
     /// @param bias bias that is converted
     void put_length_offset(std::string_view key, double value, const BiasNumbers& bias);
+    /// Adds the value of an engine's slope parameter, the only counterpart of a bias, to the result (WrittenValues).
+    /// The value gives the wanted bias at the reference angle (MapFacts::angle_deg).
+    /// @param key EngineParameter::key
+    /// @param factor polygon offset factor per unit of the value
+    /// @param wanted_texels equivalent depth bias that the value should give
+    /// @param bias bias that is converted
+    void put_slope(std::string_view key, double factor, double wanted_texels, const BiasNumbers& bias);
     /// Records in the result (WrittenValues) that a setting has no counterpart in the engine. Ignores a value of 0,
     /// which needs no counterpart.
     void miss(std::string_view key, double value, std::string reason);

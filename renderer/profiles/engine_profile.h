@@ -11,6 +11,9 @@
 
 namespace si {
 
+/// Width of the smallest map whose texels the engines' formulas can count, texels.
+inline constexpr int kMinMapTexels = 3;
+
 /// Facts of a shadow map on which conversions between settings and engine parameters depend. Lengths are in metres. The
 /// defaults are those of the documentation's example.
 struct MapFacts {

@@ -19,9 +19,8 @@ std::vector<ConvertedParameter> EngineWording::changed(
     set_settings(after, changes);
     MapFacts facts_after = facts;
     // Another resolution leaves the map as wide as it is, up to the margin of a normal offset.
-    constexpr int kMinTexels = 3;
     if (after.map.resolution != settings.map.resolution && after.map.bundle.empty())
-        facts_after.texels = std::max(after.map.resolution, kMinTexels);
+        facts_after.texels = std::max(after.map.resolution, kMinMapTexels);
     const WrittenValues before = write_engine_values(*profile, settings, facts);
     for (const ConvertedParameter& now : write_engine_values(*profile, after, facts_after).parameters) {
         if (!now.parameter->is_bias) continue;

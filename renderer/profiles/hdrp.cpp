@@ -57,10 +57,7 @@ BiasNumbers read_hdrp(const EngineProfile& profile, const EngineValues& values, 
 void write_hdrp(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double wanted = bias.constant_texels + bias.raster_texels(facts);
     const double left = std::max(0.0, wanted - hidden_hdrp(hdrp_profile(), values, facts));
-    const double per_number = kHdrpSlope * tan_angle(facts);
-    const double slope = quotient(left, per_number);
-    to.put("slopeBias", slope, Exactness::EqualAtAngle, slope * per_number, quotient(bias.constant_texels, per_number),
-           std::string(slope == 0 && left > 0 ? kNoBiasAtAngle : "a slope; a constant has no counterpart"));
+    to.put_slope("slopeBias", kHdrpSlope, left, bias);
     to.put_length_offset("normalBias", bias.normal_texels / std::numbers::sqrt2, bias);
 }
 

@@ -165,11 +165,7 @@ BiasNumbers read_urp_slope(const EngineProfile& profile, const EngineValues& val
 void write_urp_slope(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double own = own_normal_texels(bias);
     const double wanted = bias.total_texels(facts) - own * offset_equivalent(OffsetBy::OneMinusCosine, facts.angle_deg);
-    const double per_number = kUrpSlope * urp_radius(values) * tan_angle(facts);
-    const double slope = quotient(wanted, per_number);
-    to.put("shadowDepthBias", slope, Exactness::EqualAtAngle, slope * per_number,
-           quotient(bias.constant_texels, per_number),
-           std::string(slope == 0 && wanted > 0 ? kNoBiasAtAngle : "a slope; a constant has no counterpart"));
+    to.put_slope("shadowDepthBias", kUrpSlope * urp_radius(values), wanted, bias);
     put_normal(bias, own, urp_radius(values), facts, to);
 }
 
