@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -102,7 +101,7 @@ void run_measure(const MeasureOptions& options) {
     if (options.check_numeric)
         health = search_numbers(renderer, session.scene, session.settings,
                                 {.width = options.size.width, .height = options.size.height});
-    const auto light = std::size_t(std::clamp(session.settings.view.light, 0, kMaxLights - 1));
+    const auto light = std::size_t(session.settings.view.light_index());
     const EngineBias bias = shown_engine_bias(session.settings, classified.lights);
     const std::vector<LostCaster> lost = light < classified.lights.size()
                                              ? lost_casters(session.scene, session.settings, classified.lights[light])

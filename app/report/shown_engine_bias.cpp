@@ -1,6 +1,5 @@
 #include "app/report/shown_engine_bias.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "renderer/bundle/given_maps.h"
@@ -8,7 +7,7 @@
 namespace si {
 
 EngineBias shown_engine_bias(const Settings& settings, std::span<const FittedLight> lights) {
-    const int light = std::clamp(settings.view.light, 0, kMaxLights - 1);
+    const int light = settings.view.light_index();
     const bool imported =
         std::size_t(light) < lights.size() && lights[std::size_t(light)].provider == MapProvider::Imported;
     return imported ? engine_bias_of_light(settings, light) : EngineBias::Own;

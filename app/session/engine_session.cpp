@@ -125,7 +125,7 @@ EngineSession take_engine_sets(const std::string& profile, std::vector<std::stri
 }
 
 MapFacts map_facts(const Scene& scene, const Settings& settings) {
-    const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    const auto index = std::size_t(settings.view.light_index());
     if (!settings.map.bundle.empty()) {
         const auto given = given_maps(settings.map.bundle);
         if (index < given->lights.size() && given->lights[index]) {

@@ -58,7 +58,7 @@ std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settin
     // Explicit camera settings can be turned, and stay fixed while a light moves.
     if (cost == CostCase::Camera || settings.camera.source == CameraSource::Light)
         start.camera = manual_camera(scene, settings, aspect);
-    const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    const auto light = std::size_t(settings.view.light_index());
     for (const int steps : kSwing) {
         Settings s = start;
         const double turn = kCostStepDegrees * steps;

@@ -101,7 +101,7 @@ LightPath day_path(std::string_view text, int steps, const Settings& settings) {
     const auto day = finite_number(rest);
     if (!latitude || std::abs(*latitude) > 90 || !day || *day != std::round(*day) || *day < 1 || *day > 365)
         throw UsageError(fmt::format("--day \"{}\": {}", text, kDayForm));
-    const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    const auto light = std::size_t(settings.view.light_index());
     if (int(light) >= settings.light_count || settings.lights[light].type != LightType::Directional)
         throw UsageError(
             fmt::format("--day {}: light {} is no directional light; choose one by view.light, or set {} "

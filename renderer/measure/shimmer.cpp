@@ -101,7 +101,7 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
 
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings) {
     std::vector<ShimmerVariant> out{{"as-set", "As set", settings}};
-    const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    const auto light = std::size_t(settings.view.light_index());
     if (settings.lights[light].type != LightType::Directional) return out;  // only maps of suns follow the camera
     for (const bool snap : {true, false}) {
         Settings s = settings;

@@ -38,18 +38,21 @@ std::string_view first_alternative(std::string_view choice) {
     return choice.substr(0, choice.find('|'));
 }
 
+/// Returns the setting with a key; for a setting of lights, that of one light. @param light index of the light
+std::optional<SettingRef> setting_of_light(std::string_view key, int light) {
+    std::optional<SettingRef> ref = find_setting(key);
+    if (ref && ref->param->scope == Scope::Light) ref->light = light;
+    return ref;
+}
+
 /// Returns the setting with a key; for a setting of lights, that of the light which view.light selects.
 std::optional<SettingRef> shown_setting(const Settings& settings, std::string_view key) {
-    std::optional<SettingRef> ref = find_setting(key);
-    if (ref && ref->param->scope == Scope::Light) ref->light = std::clamp(settings.view.light, 0, kMaxLights - 1);
-    return ref;
+    return setting_of_light(key, settings.view.light_index());
 }
 
 /// Returns the key of a setting; for a setting of lights, that of the map's light.
 std::string key_for_map(std::string_view key, const MapFacts& facts) {
-    SettingRef ref = *find_setting(key);
-    if (ref.param->scope == Scope::Light) ref.light = facts.light;
-    return setting_key(ref);
+    return setting_key(*setting_of_light(key, facts.light));
 }
 
 /// Returns true when settings have all values of one alternative of a choice.

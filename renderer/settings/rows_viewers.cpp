@@ -117,11 +117,8 @@ std::string_view range_idle(const Settings& s, int) {
     return s.view.overlay_range != OverlayRange::Manual ? "without effect: set view.overlay_range to manual" : "";
 }
 
-int index_of_shown_light(const Settings& s) {
-    return s.view.light < 0 || s.view.light >= kMaxLights ? 0 : s.view.light;
-}
 const LightSettings& shown_light(const Settings& s) {
-    return s.lights[std::size_t(index_of_shown_light(s))];
+    return s.lights[std::size_t(s.view.light_index())];
 }
 
 std::string_view face_idle(const Settings& s, int) {
@@ -131,7 +128,7 @@ std::string_view face_idle(const Settings& s, int) {
         shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&
                           shown.projection != LightProjection::Perspective;
-    return faces || cascades || has_clip_levels(s, index_of_shown_light(s))
+    return faces || cascades || has_clip_levels(s, s.view.light_index())
                ? ""
                : "without effect: the light shown has a single map";
 }

@@ -2,6 +2,7 @@
 // (param.h, rows_*.cpp) describes each member: key, unit, range, help.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -356,6 +357,9 @@ struct ViewSettings {
     Slabs slabs = Slabs::None;
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;
+
+    /// Returns `light`, clamped to the indices of Settings::lights.
+    int light_index() const { return std::clamp(light, 0, kMaxLights - 1); }
     bool operator==(const ViewSettings&) const = default;
 };
 

@@ -3,22 +3,12 @@
 #include <algorithm>
 
 namespace si {
-namespace {
-
-constexpr int kMinTexels = 3;  ///< smallest map whose texels an engine's formulas can count
-
-/// Returns the index of the light that view.light selects.
-int shown_light_index(const Settings& settings) {
-    return std::clamp(settings.view.light, 0, kMaxLights - 1);
-}
-
-}  // namespace
 
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size) {
-    MapFacts facts{.texels = std::max(size.longest(), kMinTexels),
+    MapFacts facts{.texels = std::max(size.longest(), kMinMapTexels),
                    .format = settings.map.format,
                    .reversed_z = settings.map.reversed_z,
-                   .light = shown_light_index(settings)};
+                   .light = settings.view.light_index()};
     const double depth_m = view.curve.far - view.curve.near;
     const double middle_m = (view.curve.far + view.curve.near) / 2;
     const bool grows = view.curve.perspective && !view.warped();
@@ -35,12 +25,12 @@ MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size
 
 MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size) {
     if (!light || light->views.empty()) {
-        const LightSettings& of = settings.lights[std::size_t(shown_light_index(settings))];
-        return {.texels = std::max(size.longest(), kMinTexels),
+        const LightSettings& of = settings.lights[std::size_t(settings.view.light_index())];
+        return {.texels = std::max(size.longest(), kMinMapTexels),
                 .cascades = of.type == LightType::Directional ? of.cascades : 1,
                 .format = settings.map.format,
                 .reversed_z = settings.map.reversed_z,
-                .light = shown_light_index(settings)};
+                .light = settings.view.light_index()};
     }
     MapFacts facts = map_facts(light->views.front(), settings, size);
     facts.cascades = light->is_cascaded() ? int(light->views.size()) : 1;
