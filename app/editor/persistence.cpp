@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/absolute_path.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {
@@ -19,12 +20,6 @@ std::string count_text(double number, const char* unit) {
 
 }  // namespace
 
-std::string absolute_path(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path whole = std::filesystem::absolute(path, error);
-    return (error ? path : whole).lexically_normal().string();
-}
-
 std::string age_text(double seconds) {
     if (seconds < 60) return "less than a minute ago";
     if (seconds < 90 * 60) return count_text(seconds / 60, "minute");
@@ -34,11 +29,11 @@ std::string age_text(double seconds) {
 
 void EditorPersistence::note_scene(const std::string& path) {
     if (is_builtin_scene(path)) return;
-    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, absolute_path(path)); });
+    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, absolute_path(path).string()); });
 }
 
 void EditorPersistence::note_preset(const std::string& path) {
-    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, absolute_path(path)); });
+    workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, absolute_path(path).string()); });
 }
 
 void EditorPersistence::note_welcome() {

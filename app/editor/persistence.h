@@ -58,8 +58,6 @@ private:
     std::optional<EditorLayout> seen_layout_;
 };
 
-/// Returns the absolute path without "." and "..". Symbolic links are not resolved.
-std::string absolute_path(const std::filesystem::path& path);
 /// Formats an age in words: "less than a minute ago", "3 minutes ago". @param seconds age
 std::string age_text(double seconds);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/base/absolute_path.h"
 #include "app/editor/requests.h"
 #include "renderer/base/error.h"
 #include "ui/state/shortcuts.h"
@@ -63,7 +64,7 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
 
 void PresetRequestHandler::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
-    const std::string key = absolute_path(path);
+    const std::string key = absolute_path(path).string();
     std::error_code error;
     if (!replace && !files_.contains(key) && fs::is_regular_file(path, error)) {
         state_.files.replace = Replacement{path, about};
@@ -90,7 +91,7 @@ void PresetRequestHandler::note_opened(const std::string& name_or_path, Preset p
     if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
     state_.files.preset_path = name_or_path;
     persistence_.note_preset(name_or_path);
-    files_[absolute_path(name_or_path)] = std::move(preset);
+    files_[absolute_path(name_or_path).string()] = std::move(preset);
 }
 
 bool PresetRequestHandler::is_built_in(const std::string& key) const {
@@ -99,7 +100,7 @@ bool PresetRequestHandler::is_built_in(const std::string& key) const {
 }
 
 const Preset* PresetRequestHandler::known_file() const {
-    const auto it = files_.find(absolute_path(state_.files.preset_path));
+    const auto it = files_.find(absolute_path(state_.files.preset_path).string());
     return it == files_.end() ? nullptr : &it->second;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/base/absolute_path.h"
 #include "app/base/output.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
@@ -66,13 +67,8 @@ std::string scene_of_preset(const Preset& preset, const std::string& preset_path
 
 std::string scene_for_preset(const std::string& scene_name, const fs::path& preset_path) {
     if (is_builtin_scene(scene_name)) return scene_name;
-    const auto absolute = [](const fs::path& path) {
-        std::error_code error;
-        const fs::path whole = fs::absolute(path, error);
-        return (error ? path : whole).lexically_normal();
-    };
-    const fs::path file = absolute(scene_name);
-    const fs::path relative = file.lexically_relative(absolute(preset_path).parent_path());
+    const fs::path file = absolute_path(scene_name);
+    const fs::path relative = file.lexically_relative(absolute_path(preset_path).parent_path());
     return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
 }
 
