@@ -32,6 +32,11 @@ gl::Target& camera_depth(FrameState& f) {
     return depth;
 }
 
+/// Widens an interval of depths so that it contains another. @param span nullopt: no depths yet
+void widen(std::optional<DepthSpan>& span, const DepthSpan& by) {
+    span = span ? DepthSpan{std::min(span->from_m, by.from_m), std::max(span->to_m, by.to_m)} : by;
+}
+
 /// Returns the depths of the boxes of blended objects that the camera may see, metres along its axis; nullopt: none.
 /// The depth image does not hold these objects.
 std::optional<DepthSpan> depths_of_blended_boxes(const FrameState& f) {
@@ -49,7 +54,7 @@ std::optional<DepthSpan> depths_of_blended_boxes(const FrameState& f) {
         for (int axis = 0; axis < 3; ++axis) half += std::abs(glm::dot(box.half[axis], f.camera.axes[2]));
         const double from = std::max(middle - half, f.camera.curve.near),
                      to = std::min(middle + half, f.camera.curve.far);
-        if (from <= to) span = {std::min(span ? span->from_m : from, from), std::max(span ? span->to_m : to, to)};
+        if (from <= to) widen(span, {from, to});
     }
     return span;
 }
@@ -111,10 +116,7 @@ std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
         const double slack = kSlack * std::max(std::abs(a), std::abs(b));
         span = {std::min(a, b) - slack, std::max(a, b) + slack};
     }
-    if (const std::optional<DepthSpan> blended = depths_of_blended_boxes(f)) {
-        if (!span) span = *blended;
-        span = {std::min(span->from_m, blended->from_m), std::max(span->to_m, blended->to_m)};
-    }
+    if (const std::optional<DepthSpan> blended = depths_of_blended_boxes(f)) widen(span, *blended);
     info.reason = span ? fmt::format("visible depths {} to {}, for light.depth_bounds", metres_text(span->from_m),
                                      metres_text(span->to_m))
                        : "no surface is visible: light.depth_bounds has no depths to use";

@@ -59,11 +59,11 @@ Key lights_as_placed_key(const FrameState& f) {
     key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
-    for (int i = 0; i < f.settings.light_count; ++i)
-        if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
-            key.add(fit_margin_texels(f.settings, f.settings.map.resolution));
-    for (int i = 0; i < f.settings.light_count; ++i)
-        if (fit_row(f.settings.lights[std::size_t(i)].fit).warps) key.add(b.normal);
+    for (int i = 0; i < f.settings.light_count; ++i) {
+        const FitRow& fit = fit_row(f.settings.lights[std::size_t(i)].fit);
+        if (fit.narrows) key.add(fit_margin_texels(f.settings, f.settings.map.resolution));
+        if (fit.warps) key.add(b.normal);
+    }
     return key;
 }
 
