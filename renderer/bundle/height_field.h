@@ -32,7 +32,7 @@ struct HeightField {
 HeightField height_field(const LightView& view, const FloatImage& depths, const HeightFieldOptions& options = {});
 
 /// Returns a scene whose only object is the two-sided mesh of the surface that a shadow map shows (height_field()).
-/// finalise() has been called for the scene.
+/// The scene is ready to draw: finalise() has run.
 /// @throws Error as height_field()
 Scene height_field_scene(const LightView& view, const FloatImage& depths, const HeightFieldOptions& options = {});
 

@@ -238,7 +238,7 @@ TEST_F(FitsTest, AProbeReportsPointsThatNoCasterCanShadow) {
     EXPECT_GT(inside, 3);
 }
 
-// What a frame shows depends on its settings alone, not on those of the frame before.
+// A frame depends on its own settings alone, not on those of the frame before.
 TEST_F(FitsTest, ChangedKernelsAndOffsetsFitMapsAsAFreshRendererDoes) {
     Scene model;
     add_object(model, "Box", -1, add_mesh(model, "Box", make_box(glm::dvec3(1)), -1), moved(30, 0.5, -20));
