@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-constexpr std::uint32_t kScramblings = 64;
-constexpr int kKeptDigits = 10;
+constexpr std::uint32_t kScramblings = LightSamples::kScramblings;
+constexpr int kKeptDigits = LightSamples::kSquareDigits;
 constexpr std::uint32_t kKept =
     1u << kKeptDigits;  ///< kept points of each scrambling; others are computed when asked for
 
@@ -82,20 +82,44 @@ const LightSamplePoint* kept_points(std::uint32_t scrambling) {
     return &kept[std::size_t(scrambling) * kKept];
 }
 
-/// Returns the kept sample point of each cell of a grid of at most kKept cells.
-std::span<const std::uint16_t> kept_points_in_cells(std::uint32_t scrambling, int digits) {
-    // Grids of 1, 2, 4 ... cells, one after another: a grid of n cells starts at n - 1.
-    constexpr std::size_t kOfScrambling = 2 * kKept - 1;
-    static const std::vector<std::uint16_t> kept = [] {
-        std::vector<std::uint16_t> out(kScramblings * kOfScrambling);
+/// Kept sample points of all scramblings, ordered by cell, for grids of 1, 2, 4 ... kKept cells.
+class KeptOrders {
+public:
+    /// Orders the points. @param place_of place of a cell in a grid of 2^digits cells
+    explicit KeptOrders(std::size_t (*place_of)(const LightCell& cell, int digits))
+        : points_(kScramblings * kOfScrambling) {
         for (std::uint32_t s = 0; s < kScramblings; ++s)
             for (int d = 0; d <= kKeptDigits; ++d)
                 for (std::uint32_t k = 0, n = 1u << d; k < n; ++k)
-                    out[s * kOfScrambling + n - 1 + kept_points(s)[k].cell.index(d)] = std::uint16_t(k);
-        return out;
-    }();
-    const std::size_t n = std::size_t{1} << digits;
-    return {&kept[scrambling * kOfScrambling + n - 1], n};
+                    points_[s * kOfScrambling + n - 1 + place_of(kept_points(s)[k].cell, d)] = std::uint16_t(k);
+    }
+    /// Returns the points of one scrambling in a grid of 2^digits cells.
+    std::span<const std::uint16_t> points(std::uint32_t scrambling, int digits) const {
+        const std::size_t n = std::size_t{1} << digits;
+        return {&points_[scrambling * kOfScrambling + n - 1], n};
+    }
+
+private:
+    // A grid of n cells starts at n - 1.
+    static constexpr std::size_t kOfScrambling = 2 * kKept - 1;
+    std::vector<std::uint16_t> points_;
+};
+
+/// Returns the kept sample point of each cell, by LightCell::index(), of a grid of at most kKept cells.
+std::span<const std::uint16_t> kept_points_in_cells(std::uint32_t scrambling, int digits) {
+    static const KeptOrders kept([](const LightCell& cell, int d) { return cell.index(d); });
+    return kept.points(scrambling, digits);
+}
+
+/// Returns the kept sample point of each cell of a grid of at most kKept cells, in the order of a Z curve: cells of a
+/// square follow each other.
+std::span<const std::uint16_t> kept_points_in_squares(std::uint32_t scrambling, int digits) {
+    static const KeptOrders kept([](const LightCell& cell, int d) {
+        std::size_t place = 0;
+        for (int bit = 0; bit < d; ++bit) place = place << 1 | ((bit % 2 ? cell.y : cell.x) >> (15 - bit / 2) & 1);
+        return place;
+    });
+    return kept.points(scrambling, digits);
 }
 
 }  // namespace
@@ -127,15 +151,7 @@ LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, s
 }
 
 LightRay LightSamples::ray(std::uint32_t k) const {
-    return ray_to(glm::dvec2(k < kKept ? points_[k].disk : make_point(scrambling_, k).disk));
-}
-
-LightRay LightSamples::outline_ray(std::uint32_t k, std::uint32_t count) const {
-    const double angle = 2 * kPi * (double(k) + 0.5) / double(count);
-    return ray_to({std::cos(angle), std::sin(angle)});
-}
-
-LightRay LightSamples::ray_to(const glm::dvec2& disk) const {
+    const glm::dvec2 disk(k < kKept ? points_[k].disk : make_point(scrambling_, k).disk);
     if (emitter_.type == LightType::Spot) {
         const glm::dvec3 towards = emitter_.position_ws + radius_ * (disk.x * axes_[0] + disk.y * axes_[1]) - point_;
         const double length_m = glm::length(towards);
@@ -152,6 +168,62 @@ LightRay LightSamples::ray_to(const glm::dvec2& disk) const {
     const double chord = std::sqrt(std::max(r2 - beside2, 0.0));
     const double length_m = distance_ > emitter_.size ? along - chord : along + chord;
     return {direction, std::max(length_m, 1e-12 * emitter_.size)};
+}
+
+std::optional<LightDisk> LightSamples::disk() const {
+    // Beyond this tangent, places on a plane at distance 1 lose precision.
+    const double kMostTangent = std::sqrt(3.0);
+    LightDisk out{.axes = axes_};
+    if (emitter_.type == LightType::Spot) {
+        const glm::dvec3 centre = glm::transpose(axes_) * (emitter_.position_ws - point_);
+        if (!(centre.z > 0)) return std::nullopt;
+        out.centre = glm::dvec2(centre) / centre.z;
+        out.radius = radius_ / centre.z;
+        out.near_m = out.far_m = centre.z;
+    } else {
+        const double cosine = 1 - one_minus_cos_;
+        if (!(cosine > 0)) return std::nullopt;
+        out.radius = std::sqrt(one_minus_cos_ * (2 - one_minus_cos_)) / cosine;
+        if (emitter_.type == LightType::Point) {
+            if (!(distance_ > emitter_.size)) return std::nullopt;
+            out.near_m = distance_ - emitter_.size;
+            out.far_m = distance_ - emitter_.size * emitter_.size / distance_;
+        }
+    }
+    if (!(glm::length(out.centre) + out.radius <= kMostTangent)) return std::nullopt;
+    return out;
+}
+
+void LightSamples::find_places(std::span<const std::uint32_t> points, std::span<float> x, std::span<float> y) const {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t k = points[i];
+        const glm::vec2 disk = k < kKept ? points_[k].disk : make_point(scrambling_, k).disk;
+        x[i] = disk.x;
+        y[i] = disk.y;
+    }
+    if (emitter_.type == LightType::Spot) {
+        const glm::dvec3 centre = glm::transpose(axes_) * (emitter_.position_ws - point_);
+        const auto radius = float(radius_ / centre.z);
+        const glm::vec2 place(glm::dvec2(centre) / centre.z);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            x[i] = place.x + radius * x[i];
+            y[i] = place.y + radius * y[i];
+        }
+        return;
+    }
+    // Tangents of the directions that ray() returns.
+    const auto cap = float(one_minus_cos_);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const float h = cap * (x[i] * x[i] + y[i] * y[i]);
+        const float tangent = std::sqrt(cap * (2 - h)) / (1 - h);
+        x[i] *= tangent;
+        y[i] *= tangent;
+    }
+}
+
+void LightSamples::points_in_squares(int digits, std::vector<std::uint32_t>& out) const {
+    const std::span<const std::uint16_t> kept = kept_points_in_squares(scrambling_, digits);
+    out.assign(kept.begin(), kept.end());
 }
 
 LightCell LightSamples::cell(std::uint32_t k) const {

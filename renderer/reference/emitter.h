@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "renderer/settings/settings.h"
@@ -47,6 +49,15 @@ struct LightRay {
     double length_m = std::numeric_limits<double>::infinity();
 };
 
+/// Disk that a light with a size fills for one surface point, on a plane at distance 1 across the light's direction.
+struct LightDisk {
+    glm::dmat3 axes{1};    ///< columns: two axes across the light, then the axis towards it; unit vectors
+    glm::dvec2 centre{0};  ///< along the two axes across, at distance 1
+    double radius = 0;     ///< at distance 1
+    double near_m = std::numeric_limits<double>::infinity();  ///< least height of a sample point, along the third axis
+    double far_m = std::numeric_limits<double>::infinity();   ///< largest height of a sample point
+};
+
 /// Cell of a 2^16 x 2^16 grid on an area light in which a sample point lies. The upper bits of column and row are
 /// those of the enclosing cell in a coarser grid.
 struct LightCell {
@@ -76,22 +87,31 @@ public:
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
     /// Returns the shadow ray to sample point `k` on the light, from the surface point given to the constructor.
     LightRay ray(std::uint32_t k) const;
-    /// Returns the shadow ray to one of `count` evenly spaced points on the light's outline, from the surface point
-    /// given to the constructor.
-    /// @param k number of the point, less than `count`
-    LightRay outline_ray(std::uint32_t k, std::uint32_t count) const;
+    /// Returns the disk that the light fills for the surface point given to the constructor. Returns nullopt if the
+    /// light is wider than 60 degrees from its centre, lies far beside its axes, or holds the point.
+    std::optional<LightDisk> disk() const;
+    /// Computes where the shadow rays to sample points cross the plane of disk().
+    /// @param points indices of the sample points
+    /// @param[out] x,y places along the two axes across the light, at distance 1; as many as `points`
+    void find_places(std::span<const std::uint32_t> points, std::span<float> x, std::span<float> y) const;
     /// Returns the cell in which sample point `k` on the light lies, of a 2^16 x 2^16 grid over the light.
     LightCell cell(std::uint32_t k) const;
+    /// Lists the first 2^digits sample points so that neighbours on the light follow each other.
+    /// @param digits at most kSquareDigits
+    /// @param out receives the indices of the sample points
+    void points_in_squares(int digits, std::vector<std::uint32_t>& out) const;
+    /// Largest `digits` of points_in_squares().
+    static constexpr int kSquareDigits = 10;
+    /// Number of scramblings of the sequence of sample points.
+    static constexpr std::uint32_t kScramblings = 64;
+    /// Returns the index of the scrambling that the pixel selects.
+    std::uint32_t scrambling() const { return scrambling_; }
     /// Lists the sample point in each cell of a grid of 2^digits cells on the light. Each cell holds exactly one of the
     /// first 2^digits sample points.
     /// @param out receives the index of the sample point for each cell, by LightCell::index()
     void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:
-    /// Returns the shadow ray to a place on the light, from the surface point given to the constructor.
-    /// @param disk the place on the unit disk, which is mapped to the light's area
-    LightRay ray_to(const glm::dvec2& disk) const;
-
     const Emitter& emitter_;
     glm::dvec3 point_;
     glm::dmat3 axes_;           ///< columns: two axes across the light, then the axis towards it

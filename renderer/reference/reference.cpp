@@ -9,7 +9,9 @@
 #include <mutex>
 #include <optional>
 
+#include "renderer/base/directions.h"
 #include "renderer/bias/light_receiver.h"
+#include "renderer/reference/projected_casters.h"
 #include "renderer/reference/reference_rays.h"
 #include "renderer/reference/seen_light.h"
 
@@ -22,12 +24,13 @@ constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kPenumbraSamples = 64;         ///< samples of pixels in penumbrae, and of those at edges of shadows
-constexpr std::uint32_t kOutlineRays = 16;   ///< rays to the light's outline that may replace kPenumbraSamples
 constexpr int kFarSamples = 16;              ///< samples of pixels two pixels from a penumbra or an edge
 constexpr int kPlainSamples = 256;           ///< samples spread over the whole light; more only along edges of shadows
 constexpr int kBesideSamples =
     128;  ///< samples that must agree before a pixel next to a penumbra counts as lit or dark
 constexpr int kNeighbourPixels = 2;  ///< distance within which a penumbra asks for these samples
+/// Limit of casters' triangles between a square of pixels and the light, above which rays are faster.
+constexpr std::size_t kMostProjected = 512;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Batch of shadow rays; those that need double precision are separate.
@@ -131,6 +134,8 @@ public:
     /// Traces an area light adaptively: few samples everywhere, more around penumbrae, and again where the error is
     /// too large.
     void trace_area(const Workers& workers) {
+        tree_ = scene_.caster_tree(workers.stop);
+        if (tree_ && query_.emitter.type == LightType::Directional) sun_.emplace(query_.emitter);
         first_ = std::clamp(query_.options.first_samples, 1, std::min(most(), kPenumbraSamples));
         if (first_ < most()) first_ = std::min(first_, kKeptFirst);
         work_.resize(out_.state.size());
@@ -169,9 +174,10 @@ private:
     /// Reason why a pixel needs more samples; later ones need more.
     enum class Wanted : std::uint8_t {
         None,
-        Far,    ///< two pixels from a penumbra or an edge
-        Near,   ///< next to an edge
-        Beside  ///< in a penumbra, or with a neighbour in one
+        Far,     ///< two pixels from a penumbra or an edge
+        Near,    ///< next to an edge
+        Beside,  ///< in a penumbra, or with a neighbour in one
+        Crossed  ///< the edge of a projected caster crosses the light
     };
 
     /// State of a pixel that sees an area light.
@@ -179,11 +185,13 @@ private:
         std::uint16_t lit = 0, above = 0;  ///< first samples, a bit each: lit, and above the horizon
         std::uint32_t used = 0;            ///< samples taken
         Wanted wanted = Wanted::None;
-        bool outline_agrees = false;  ///< rays to the light's outline agree with the samples
+        bool projected = false;  ///< projected casters gave all samples that the pixel needs
     };
-    BigArray<PixelWork> work_;     ///< by pixel
-    BigArray<Penumbra> penumbra_;  ///< by pixel
-    glm::vec3 to_light_{0};        ///< direction to a directional light
+    BigArray<PixelWork> work_;          ///< by pixel
+    BigArray<Penumbra> penumbra_;       ///< by pixel
+    glm::vec3 to_light_{0};             ///< direction to a directional light
+    const CasterTree* tree_ = nullptr;  ///< null: rays decide everywhere
+    std::optional<SunPlaces> sun_;      ///< of a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     /// Returns the expected share of the first samples in all samples of an area light, for the progress.
@@ -332,6 +340,11 @@ private:
         RayBatch batch;
         SeenLight light;
         std::vector<Seen> seen;
+        std::vector<std::size_t> pixels;  ///< of a square, those to sample
+        std::optional<LightShaft> shaft;  ///< between these pixels and the light; nullopt: rays decide
+        ShaftTriangles casters;           ///< casters in the shaft
+        ProjectedCasters projected;       ///< casters of the present pixel
+        bool projects = false;            ///< `projected` decides for the present pixel, else rays do
     };
 
     /// Samples the light from all traced pixels, or from those that find_penumbrae() marked.
@@ -340,41 +353,115 @@ private:
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
             thread_local SampleBuffers buffers;
             std::uint64_t rays = 0;
-            for (int y = y0; y < y1; ++y)
-                for (int x = x0; x < x1; ++x) {
-                    const std::size_t i = index(x, y);
-                    if (round == Round::First) {
-                        work_[i] = {};
-                        if (is_traced(out_.state[i])) rays += take_first_samples(i, buffers, workers.stop);
-                    } else if (work_[i].wanted != Wanted::None) {
-                        rays += take_more_samples(i, buffers, workers.stop);
+            for (int square_y = y0; square_y < y1; square_y += kSquare)
+                for (int square_x = x0; square_x < x1; square_x += kSquare) {
+                    buffers.pixels.clear();
+                    for (int k = 0; k < kSquare * kSquare; ++k) {
+                        // Squares of four pixels, one after another.
+                        const int x = square_x + (k & 1) + (k >> 1 & 2), y = square_y + (k >> 1 & 1) + (k >> 2 & 2);
+                        if (x >= x1 || y >= y1) continue;
+                        const std::size_t i = index(x, y);
+                        if (round == Round::First) work_[i] = {};
+                        if (round == Round::First ? is_traced(out_.state[i]) : work_[i].wanted != Wanted::None)
+                            buffers.pixels.push_back(i);
                     }
+                    for_casters(buffers.pixels, buffers, [&](std::size_t i) {
+                        rays += round == Round::First ? take_first_samples(i, buffers, workers.stop)
+                                                      : take_more_samples(i, buffers, workers.stop);
+                    });
                 }
             const std::lock_guard guard(lock_);
             out_.rays += rays;
         });
     }
 
-    /// Traces sample points of a pixel. Returns the number of rays.
-    /// @param points numbers of the sample points @param seen receives their states @throws Cancelled
-    std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
-                              std::span<Seen> seen, RayBatch& batch, const std::stop_token& stop) const {
-        return trace_rays(
-            i, [&](std::uint32_t k) { return samples.ray(points[k]); }, seen, batch, stop);
+    /// Returns the region between some pixels and the light. Returns nullopt if it has no simple form, since a light is
+    /// too near or too wide.
+    std::optional<LightShaft> shaft_from(std::span<const std::size_t> pixels) const {
+        const Emitter& light = query_.emitter;
+        const auto light_disk = light_samples(pixels.front()).disk();
+        if (!light_disk) return std::nullopt;
+        double distance = 0;
+        const glm::dmat3 axes =
+            orthonormal_basis(light.direction_from(receivers_.pixels[pixels.front()].position_ws, distance));
+        glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+        for (const std::size_t i : pixels) {
+            const glm::dvec3 origin = glm::transpose(axes) * glm::dvec3(ray_origin(scene_, receivers_.pixels[i]));
+            low = glm::min(low, origin);
+            high = glm::max(high, origin);
+        }
+        constexpr double kPad = 1e-6;  // rounding of coordinates, as a share of their size
+        const double pad = kPad * scene_.radius;
+        LightShaft out{.axes = glm::mat3(axes),
+                       .low = glm::vec2(low) - float(pad),
+                       .high = glm::vec2(high) + float(pad),
+                       .bottom = float(low.z - pad),
+                       .top = std::numeric_limits<float>::infinity(),
+                       .slope = glm::vec2(float(light_disk->radius * (1 + kPad)))};
+        if (light.type == LightType::Directional) return out;
+        const glm::dvec3 centre = glm::transpose(axes) * scene_.to_unit(light.position_ws);
+        const double size = light.size * scene_.scale, height = centre.z - size - low.z;
+        if (!(high.z < centre.z - size)) return std::nullopt;
+        out.top = float(centre.z + size + pad);
+        for (int a = 0; a < 2; ++a)
+            out.slope[a] = float((std::max(centre[a] + size - low[a], high[a] - centre[a] + size) + pad) / height);
+        return out;
     }
 
-    /// Traces rays from a pixel to its light. Returns their number.
-    /// @param ray_of returns the ray of an index in `seen` @param seen receives the rays' results @throws Cancelled
-    template <typename RayOf>
-    std::size_t trace_rays(std::size_t i, RayOf&& ray_of, std::span<Seen> seen, RayBatch& batch,
-                           const std::stop_token& stop) const {
+    /// Calls a function for each of some pixels while SampleBuffers::casters holds the casters between these pixels and
+    /// the light. Where too many casters lie there, takes four pixels at a time, and then one.
+    /// @param pixels neighbours, in squares of four
+    template <typename Work>
+    void for_casters(std::span<const std::size_t> pixels, SampleBuffers& b, Work&& work) const {
+        constexpr std::size_t kFew = 4;
+        if (!tree_ || pixels.empty()) {
+            b.shaft.reset();
+        } else {
+            b.shaft = shaft_from(pixels);
+            if (b.shaft && !tree_->collect(*b.shaft, kMostProjected, b.casters)) {
+                b.shaft.reset();
+                const std::size_t part = pixels.size() > kFew ? kFew : 1;
+                for (std::size_t k = 0; pixels.size() > 1 && k < pixels.size(); k += part)
+                    for_casters(pixels.subspan(k, std::min(part, pixels.size() - k)), b, work);
+                if (pixels.size() > 1) return;
+            }
+        }
+        for (const std::size_t i : pixels) work(i);
+    }
+
+    /// Projects the casters of a pixel onto the light. Returns false if rays decide: without a shaft, where samples lie
+    /// below the horizon or at grazing angles, or where a caster reaches into the light.
+    bool project_casters(std::size_t i, const LightSamples& samples, SampleBuffers& b) const {
+        if (!b.shaft) return false;
+        const auto light_disk = samples.disk();
+        if (!light_disk) return false;
+        const Receiver& r = receivers_.pixels[i];
+        const glm::dvec3 normal = glm::transpose(light_disk->axes) * r.normal_ws;
+        const glm::dvec2 beside(normal);
+        const double rise = glm::dot(beside, light_disk->centre) + normal.z - light_disk->radius * glm::length(beside);
+        const double longest = std::hypot(1.0, glm::length(light_disk->centre) + light_disk->radius);
+        if (!(rise > kGrazingCosine * longest)) return false;
+        return b.projected.project(scene_, *tree_, *b.shaft, b.casters, ray_origin(scene_, r), *light_disk, culls_,
+                                   sun_ ? &*sun_ : nullptr);
+    }
+
+    /// Finds the states of sample points of a pixel. Returns the number of shadow rays, whether traced or answered by
+    /// projected casters.
+    /// @param points numbers of the sample points @param seen receives their states @throws Cancelled
+    std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
+                              std::span<Seen> seen, SampleBuffers& b, const std::stop_token& stop) const {
         if (stop.stop_requested()) throw Cancelled();  // 2^20 samples in each pixel of a tile take minutes
+        if (b.projects) {
+            b.projected.find_seen(samples, points, seen);
+            return points.size();
+        }
+        RayBatch& batch = b.batch;
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
         std::ranges::fill(seen, Seen::Below);
         batch.clear();
         for (std::uint32_t k = 0; k < seen.size(); ++k) {
-            const LightRay ray = ray_of(k);
+            const LightRay ray = samples.ray(points[k]);
             const double cosine = glm::dot(r.normal_ws, ray.direction);
             if (cosine > 0) batch.add(k, r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
         }
@@ -399,7 +486,7 @@ private:
 
     /// Numbers 0, 1, 2 ... of a pixel's first sample points.
     static constexpr auto kFirstPoints = [] {
-        std::array<std::uint32_t, kPenumbraSamples> out{};
+        std::array<std::uint32_t, 1024> out{};
         for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = k;
         return out;
     }();
@@ -407,9 +494,12 @@ private:
     /// Takes the first samples of a pixel, and keeps their states. Returns the number of rays.
     std::size_t take_first_samples(std::size_t i, SampleBuffers& b, const std::stop_token& stop) {
         const LightSamples samples = light_samples(i);
+        b.projects = project_casters(i, samples, b);
+        work_[i].projected = b.projects;
+        if (b.projects && !b.projected.hides_all_or_none()) return take_projected_samples(i, samples, b, stop);
         b.seen.resize(std::size_t(first_));
         const std::size_t rays =
-            trace_samples(i, samples, std::span(kFirstPoints).first(b.seen.size()), b.seen, b.batch, stop);
+            trace_samples(i, samples, std::span(kFirstPoints).first(b.seen.size()), b.seen, b, stop);
         b.light.start(samples, b.seen);
         set_estimate(i, b.light);
         if (b.seen.size() > kKeptFirst) return rays;
@@ -437,62 +527,80 @@ private:
         }
     }
 
-    /// Adds samples to those of a pixel until the error is small enough, or the light is seen to be whole or hidden.
-    /// Returns the number of rays.
+    /// Adds samples to the first ones of a pixel that find_penumbrae() marked. Returns the number of rays.
     std::size_t take_more_samples(std::size_t i, SampleBuffers& b, const std::stop_token& stop) {
         const LightSamples samples = light_samples(i);
+        b.projects = project_casters(i, samples, b);
         restore_states(i, samples, b.seen);
-        Wanted wanted = work_[i].wanted;
+        return take_samples(i, samples, work_[i].wanted, b, stop);
+    }
+
+    /// Adds samples to those of a pixel until the error is small enough, or the light is seen to be whole or hidden.
+    /// Returns the number of rays.
+    /// @param wanted reason why the pixel needs samples @param b SampleBuffers::seen has the first samples' states
+    std::size_t take_samples(std::size_t i, const LightSamples& samples, Wanted wanted, SampleBuffers& b,
+                             const std::stop_token& stop) {
+        std::size_t rays = 0;
         const std::size_t known = b.seen.size();
         const auto end = std::size_t(std::min(wanted == Wanted::Far ? kFarSamples : kPenumbraSamples, most()));
-        std::size_t rays = 0;
-        if (wanted == Wanted::Near && end == kPenumbraSamples) {
-            rays += compare_outline(i, samples, b, stop);
-            if (work_[i].outline_agrees) return rays;
-            // A part of the outline differs from the samples: the light's visible share is near 0 or 1.
-            if (rays > 0) wanted = Wanted::Beside;
-        }
         if (known < end) {
             b.seen.resize(end);
             rays += trace_samples(i, samples, std::span(kFirstPoints).subspan(known, end - known),
-                                  std::span(b.seen).subspan(known), b.batch, stop);
+                                  std::span(b.seen).subspan(known), b, stop);
         }
         b.light.start(samples, b.seen);
-        for (;;) {
-            const Estimate e = set_estimate(i, b.light);
-            const auto fineness = int(b.light.fineness());
-            const bool whole = e.visibility == 0 || e.visibility == 1;
-            const bool enough = whole ? fineness >= samples_for(wanted) : e.error <= query_.options.noise;
-            if (fineness >= most() || enough) return rays;
-            const auto points = b.light.halve(samples, std::uint32_t(std::min(most(), 2 * fineness)),
-                                              whole || fineness < kPlainSamples);
-            b.seen.resize(points.size());
-            rays += trace_samples(i, samples, points, b.seen, b.batch, stop);
-            b.light.set_wanted(b.seen);
-        }
+        while (!is_enough(set_estimate(i, b.light), b.light.fineness(), wanted)) rays += refine(i, samples, b, stop);
+        return rays;
     }
 
-    /// Traces rays to the light's outline from a pixel whose samples agree, and sets PixelWork::outline_agrees. A
-    /// shadow of a wide caster crosses the outline first, where few rays find a smaller part of it than samples do.
-    /// @param b SampleBuffers::seen has the states of the pixel's samples
-    /// @returns the number of rays
-    std::size_t compare_outline(std::size_t i, const LightSamples& samples, SampleBuffers& b,
-                                const std::stop_token& stop) {
-        const Seen state = b.seen.front();
-        const auto agrees = [state](Seen seen) { return seen == state; };
-        if (state == Seen::Below || !std::ranges::all_of(b.seen, agrees)) return 0;
-        std::array<Seen, kOutlineRays> outline;
-        const auto ray_of = [&](std::uint32_t k) { return samples.outline_ray(k, kOutlineRays); };
-        const std::size_t rays = trace_rays(i, ray_of, outline, b.batch, stop);
-        work_[i].outline_agrees = std::ranges::all_of(outline, agrees);
+    /// Takes the samples of a pixel whose casters are projected: all of one fineness at once, as long as that costs
+    /// less than to choose among them. Returns their number.
+    std::size_t take_projected_samples(std::size_t i, const LightSamples& samples, SampleBuffers& b,
+                                       const std::stop_token& stop) {
+        constexpr std::size_t kMostAtOnce = kFirstPoints.size();
+        constexpr double kErrorOfTwice = 0.6;  // times the error: 2^(-3/4)
+        auto count = std::size_t(std::min(kPenumbraSamples, most()));
+        for (;;) {
+            b.seen.resize(count);
+            trace_samples(i, samples, std::span(kFirstPoints).first(count), b.seen, b, stop);
+            b.light.start(samples, b.seen);
+            const Estimate e = set_estimate(i, b.light);
+            if (is_enough(e, count, Wanted::Crossed)) return count;
+            if (count == kMostAtOnce) break;
+            const bool twice = kErrorOfTwice * e.error <= query_.options.noise;
+            count = std::min({(twice ? 2 : 4) * count, kMostAtOnce, std::size_t(most())});
+        }
+        std::size_t rays = count;
+        do rays += refine(i, samples, b, stop);
+        while (!is_enough(set_estimate(i, b.light), b.light.fineness(), Wanted::Crossed));
+        return rays;
+    }
+
+    /// Returns true when a pixel needs no more samples: its error is small enough, or enough samples agree.
+    bool is_enough(const Estimate& e, std::size_t fineness, Wanted wanted) const {
+        const bool whole = e.visibility == 0 || e.visibility == 1;
+        return int(fineness) >= most() ||
+               (whole ? int(fineness) >= samples_for(wanted) : e.error <= query_.options.noise);
+    }
+
+    /// Doubles the fineness of a pixel's samples. Returns the number of rays.
+    std::size_t refine(std::size_t i, const LightSamples& samples, SampleBuffers& b, const std::stop_token& stop) {
+        const auto fineness = int(b.light.fineness());
+        const float visibility = out_.visibility.data[i];
+        const bool everywhere = visibility == 0 || visibility == 1 || fineness < kPlainSamples;
+        const auto points = b.light.halve(samples, std::uint32_t(std::min(most(), 2 * fineness)), everywhere);
+        b.seen.resize(points.size());
+        const std::size_t rays = trace_samples(i, samples, points, b.seen, b, stop);
+        b.light.set_wanted(b.seen);
         return rays;
     }
 
     /// Returns the number of samples that must agree before a pixel counts as lit or dark.
     int samples_for(Wanted wanted) const {
-        const int all = wanted == Wanted::Beside ? kBesideSamples
-                        : wanted == Wanted::Near ? kPenumbraSamples
-                                                 : kFarSamples;
+        const int all = wanted == Wanted::Crossed  ? kPlainSamples
+                        : wanted == Wanted::Beside ? kBesideSamples
+                        : wanted == Wanted::Near   ? kPenumbraSamples
+                                                   : kFarSamples;
         return std::min(all, most());
     }
 
@@ -554,9 +662,8 @@ private:
                                                                     : Wanted::Near);
             }
         const int used = int(work_[i].used);
-        const bool enough = penumbra_[i] == Penumbra::Partial
-                                ? used > first_
-                                : used >= samples_for(out) || (out == Wanted::Near && work_[i].outline_agrees);
+        const bool enough =
+            work_[i].projected || (penumbra_[i] == Penumbra::Partial ? used > first_ : used >= samples_for(out));
         return enough ? Wanted::None : out;
     }
 

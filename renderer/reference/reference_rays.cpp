@@ -76,6 +76,13 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
+const CasterTree* RayHierarchy::caster_tree(const std::stop_token& stop) const {
+    if (instances > 0) return nullptr;
+    const std::lock_guard guard(tree_lock_);
+    if (!tree_) tree_ = std::make_unique<const CasterTree>(*this, stop);
+    return tree_.get();
+}
+
 void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);

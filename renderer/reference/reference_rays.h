@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <stop_token>
 #include <vector>
 
+#include "renderer/reference/caster_tree.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/receivers.h"
 
@@ -28,6 +32,14 @@ struct RayHierarchy : UnitFrame {
     const ReferenceGeometry* geometry = nullptr;
     double radius = 1;  ///< radius of the scene in these coordinates
     std::size_t triangles = 0, instances = 0;
+
+    /// Returns the hierarchy that lists the casters between surface points and a light. Builds it at the first call.
+    /// Returns null for a scene with instances. May be called on any thread. @throws Error, Cancelled
+    const CasterTree* caster_tree(const std::stop_token& stop) const;
+
+private:
+    mutable std::mutex tree_lock_;
+    mutable std::unique_ptr<const CasterTree> tree_;
 };
 
 /// Shadow ray at a grazing angle to its receiver, for which single precision is not enough. Its hits are tested again

@@ -48,11 +48,21 @@ void SeenLight::start(const LightSamples& samples, std::span<const Seen> seen) {
     samples.points_in_cells(digits_, point_);
     sampled_.assign(point_.size(), 0);
     std::fill_n(sampled_.begin(), seen.size(), 1);
-    lit_.assign(words(), 0);
-    above_.assign(words(), 0);
-    for (std::size_t c = 0; c < point_.size(); ++c)
-        // At most one of two halves lacks a sample; it takes the other's state.
-        set(c, seen[point_[c] < seen.size() ? point_[c] : point_[other_half(c)]]);
+    lit_.resize(words());
+    above_.resize(words());
+    const std::size_t per_row = words_per_row(), columns = std::min<std::size_t>(across(), 64);
+    for (std::size_t i = 0; i < lit_.size(); ++i) {
+        const std::size_t first = i / per_row * across() + i % per_row * 64;
+        std::uint64_t lit = 0, above = 0;
+        for (std::size_t c = first; c < first + columns; ++c) {
+            // At most one of two halves lacks a sample; it takes the other's state.
+            const Seen state = seen[point_[c] < seen.size() ? point_[c] : point_[other_half(c)]];
+            lit |= std::uint64_t(state == Seen::Lit) << (c - first);
+            above |= std::uint64_t(state != Seen::Below) << (c - first);
+        }
+        lit_[i] = lit;
+        above_[i] = above;
+    }
     fineness_ = std::uint32_t(seen.size());
     taken_ = seen.size();
 }
