@@ -14,8 +14,8 @@
 
 namespace si {
 
-/// Queue between the window and ImGui. The window's callbacks add mouse and key events; each ImGui frame takes as many
-/// as it can handle without losing their order (a step).
+/// Queue between the window and ImGui. The window's callbacks add mouse and key events. Each ImGui frame takes one
+/// step: as many events as ImGui can handle without losing their order.
 class InputQueue {
 public:
     static constexpr std::size_t kKeys = 512;  ///< size of ImGui's key table
@@ -84,11 +84,11 @@ private:
     };
     /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const { return event.kind == Kind::Character || (typing_ && event.character); }
-    /// Returns true if an input event may share an ImGui frame with the earlier events of `run`: ImGui then keeps their
-    /// order.
+    /// Returns true if ImGui keeps the order of an input event and the earlier events of `run` within one frame. The
+    /// event may then share their frame.
     bool can_join(const Run& run, const Event& event) const;
-    /// Returns true if a key event may share an ImGui frame with the earlier events of `run`: ImGui then keeps their
-    /// order.
+    /// Returns true if ImGui keeps the order of a key event and the earlier events of `run` within one frame. The event
+    /// may then share their frame.
     bool key_can_join(const Run& run, const Event& event) const;
     /// Adds an input event to those that the next ImGui frame receives, and updates their summary `run`.
     void add_to_step(Run& run, const Event& event);

@@ -14,7 +14,8 @@ namespace si {
 /// The code is generated again when settings, frame or target program change.
 class ConversionPreview {
 public:
-    /// Makes a generator without code. @param state the editor's state, which must outlive this object
+    /// Makes a generator without code; update() generates it. @param state the editor's state, which must outlive this
+    /// object
     explicit ConversionPreview(EditorState& state);
 
     /// Generates the code that the dialog Convert shows, if the dialog is open and an input has changed. Call once a

@@ -30,8 +30,8 @@ public:
     };
     Mouse mouse;
 
-    /// Draws one frame of the editor, 1/60 s after the one before, and performs what the panels request. Returns these
-    /// requests.
+    /// Draws one frame of the headless editor (for screenshots and tests), 1/60 s after the one before, and performs
+    /// what the panels request. Returns these requests.
     EditorRequests frame();
     /// Draws frames until nothing changes any more: the scene is loaded, layout and pictures are final, and all
     /// requested measurements have ended.

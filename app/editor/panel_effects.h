@@ -12,13 +12,14 @@ namespace si {
 /// that a panel needs now is marked as drawn, other work as not needed, each with a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Makes the row of the panel Effects (list of work with its state) for the search for clusters of wrong pixels.
+/// Makes the row of the panel Effects that shows the search for clusters of wrong pixels. The panel lists the work of a
+/// frame with its state.
 /// @param request the last request for a search @param found result of the last search
 /// @param now true: the search ran for the shown frame; false: for an earlier one
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
-/// Makes the row for the reference's rays in the panel Effects. That panel lists each piece of a frame's work as drawn,
-/// cached or not needed, with the reason. Rays are traced in the background.
+/// Makes the row of the panel Effects that shows the tracing of the reference's rays. The panel lists each piece of a
+/// frame's work as drawn, cached or not needed, with the reason. Rays are traced in the background.
 Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si

@@ -78,7 +78,8 @@ private:
     /// Shows another sweep (measurement of many settings) in the panel Frontier. Results of the sweep before are
     /// dropped.
     void show(Shown shown);
-    /// Finished measurement: the measured picture (scene, settings, size) and its numbers.
+    /// Finished measurement that the editor keeps: the measured picture (scene, settings, size) and its numbers. The
+    /// same picture is then not measured again.
     struct Finished {
         MeasuringThread::Picture of;
         CaseNumbers numbers;

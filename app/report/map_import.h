@@ -66,8 +66,8 @@ std::string convention_options(const Convention& convention, bool has_pair);
 /// scene.
 std::string axes_words(const LightAxes& axes);
 
-/// Lists the conventions under which an imported shadow map may be read, the best fit first, for the import dialog.
-/// Their numbers count from 1.
+/// Lists the conventions under which an imported shadow map may be read, for the import dialog. The best fit comes
+/// first. ImportChoice::number is the place in the list, from 1.
 /// @throws Error if the light's matrix fits none of them
 std::vector<ImportChoice> reading_choices(const MapImport& map);
 

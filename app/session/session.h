@@ -80,8 +80,8 @@ struct ComposedSettings {
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& pose,
                                   std::vector<std::string>* left_out = nullptr);
 
-/// Poses a loaded scene and composes its settings: program defaults, then the preset or the scene's suggestions, then
-/// --set.
+/// Sets animation, time and placement of a loaded scene (pose_scene()), and composes its settings: program defaults,
+/// then the preset or the scene's suggestions, then --set.
 /// @param left_out receives one line for each chosen thing that the scene lacks (an object, a camera), which is then
 /// ignored; null: throws instead @throws UsageError, Error
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out = nullptr);

@@ -67,7 +67,8 @@ public:
     bool busy() const;
     /// Blocks the caller until the measuring thread has no sweep and no picture left to measure.
     void wait() const;
-    /// Blocks the caller until the measuring thread has no sweep left to measure.
+    /// Blocks the caller until the measuring thread has no sweep left to measure. Call after a sweep was cancelled,
+    /// before another one is shown.
     void wait_for_sweep() const;
 
 private:
@@ -85,7 +86,8 @@ private:
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
-    /// Main loop of the measuring thread: measures pictures and steps of the sweep until `end` is requested.
+    /// Runs the main loop of the measuring thread until `end` is requested. Measures single pictures, and a sweep step
+    /// by step. A step measures error and cost of one case, or times some of its frames.
     /// @param kept time for which the OpenGL context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
     /// Begins the sweep that start_sweep() has queued: opens its journal and passes it the scene that the editor has

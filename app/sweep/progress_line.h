@@ -1,4 +1,4 @@
-// Progress of a sweep or search on stderr: one rewritten line on a terminal, else a line every few seconds.
+// Progress of a sweep or search on stderr: one rewritten line on a terminal, else a line every 10 seconds.
 #pragma once
 
 #include <chrono>
@@ -25,8 +25,9 @@ public:
     /// Shows the progress of long work on this line of the terminal. @param share part of the work that is done, 0..1
     /// @param seconds_left estimated time left; 0: not known yet @param step present step, for people
     void show(double share, double seconds_left, const std::string& step);
-    /// Shows a text on this line of the terminal, in place of the earlier text. @param last true: always prints the
-    /// text; false: skips it within 0.1 s after the text before (10 s without a terminal)
+    /// Shows a text on this line of the terminal, in place of the earlier text.
+    /// @param last true: always prints the text; false: skips it if the last one was printed less than 0.1 s ago (10 s
+    /// if stderr is no terminal)
     void show(std::string text, bool last);
 
 private:

@@ -25,15 +25,15 @@ struct BiasNeeds {
     double shift_p95_m = 0;
 };
 
-/// Counts the pixels of a measured frame that lack bias, and measures lit gaps at casters and shifts of shadow edges.
+/// Counts the pixels of a frame that lack bias, and measures lit gaps at casters and shifts of shadow edges.
 /// Considers only pixels that the error metrics count and that are lit in the reference and covered by the shadow map,
 /// since other pixels cannot show acne. Gaps and shifts come from an even sample of these pixels.
-/// @param settings settings of the measured frame
+/// @param measured errors of the frame against the reference @param settings settings of the same frame
 /// @param driver traits of the rasteriser, on which polygon offset depends
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
-/// Returns true when a measured frame has a pixel that can show acne. Such a pixel is counted in the comparison with
-/// the reference, lit in the reference, and covered by the shadow map.
+/// Returns true when a frame, compared with the reference, has a pixel that can show acne. Such a pixel is counted in
+/// this comparison, lit in the reference, and covered by the shadow map.
 bool has_lit_receivers(const MeasuredError& measured);
 
 /// Returns the distance of a point from the camera along the viewing axis, metres. Negative behind the camera.
@@ -43,12 +43,12 @@ double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
 /// @param lines height of the picture in pixels
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
-/// Computes the surface point of one pixel of a measured frame as the measured light sees it: its place in the map and
-/// its depth. Takes a fraction of the time of MeasuredBias::breakdown().
+/// Computes where one pixel's surface point lies in the shadow map, and its depth there. The light is the one whose
+/// errors `measured` holds. Takes a fraction of the time of MeasuredBias::breakdown(), which also computes the bias.
 LightReceiver receiver_in_light(const MeasuredError& measured, const Settings& settings, const Receiver& receiver);
 
-/// Calculator of the depth bias at pixels of a measured frame. Keeps references to the constructor's arguments, which
-/// must outlive it.
+/// Calculator of the depth bias at pixels of a frame whose errors were measured. Keeps references to the constructor's
+/// arguments, which must outlive it.
 class MeasuredBias {
 public:
     /// Makes the calculator. Keeps references to all arguments.

@@ -63,8 +63,8 @@ struct BiasStart {
 };
 /// Computes for each kind of bias (row of the bias table) the least amounts by theory, from which a search starts.
 /// Empty when no pixel is lit within the map. Kinds that compute the needed bias per pixel, and add bias.constant, get
-/// a constant of a quarter of a texel. Leaves out kinds without effect where bias is needed, and polygon offset of
-/// imported maps.
+/// a constant of a quarter of a texel. Leaves out a kind if pixels need bias but no amount of the kind gives them any.
+/// Leaves out polygon offset if the light's maps are imported.
 std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// Bias settings that a search for the least bias tried, with the error of their frame.
@@ -87,17 +87,18 @@ struct FoundBiasRow {
 struct FoundBias {
     BiasTrial before;                 ///< present bias
     std::vector<TriedBias> tried;     ///< all trials, in the order of the search
-    std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
+    std::optional<double> max_gap_m;  ///< largest lit gap beside casters, 95th percentile, metres; none: any
     bool stopped = false;             ///< true: stopped before all rows were tried
-    /// Returns the bias with the least error score whose lit gap at casters is within max_gap_m; null: none. A bias
-    /// with more wrong pixels than the present bias wins only if all have more. Scores closer than a hundredth tie.
-    /// Then the smaller mean error decides, then the smaller gap at casters.
+    /// Returns the bias with the least error score among those whose lit gap beside casters (peter-panning, 95th
+    /// percentile) is at most max_gap_m wide; null: none. A bias with more wrong pixels than the present bias is left
+    /// out, unless every allowed bias has more. Scores closer than a hundredth tie. Then the smaller mean error
+    /// decides, then the smaller gap at casters.
     const TriedBias* best() const { return least_score(nullptr, false); }
     /// Returns the bias with the least error score among those without acne, by the rules of best(); null: none.
     const TriedBias* best_without_acne() const { return least_score(nullptr, true); }
     /// Returns the trial with the least error score for each kind of bias (row of the bias table), in the order of the
-    /// search. Kinds without an allowed trial are left out.
-    /// @param no_acne true: only trials without acne are allowed
+    /// search. Leaves out kinds without a trial whose gap at casters is within max_gap_m.
+    /// @param no_acne true: only trials without acne count
     std::vector<const TriedBias*> best_of_rows(bool no_acne = false) const;
     /// Returns the found biases as a table: the best trial of each kind of bias, and the best trial without acne.
     std::vector<FoundBiasRow> table() const;
@@ -106,9 +107,9 @@ struct FoundBias {
     std::string summary(bool no_acne) const;
 
 private:
-    /// Returns the trial with the least error score whose gap at casters is allowed (max_gap_m); null: none. Trials
-    /// with more wrong pixels than the present bias count only if all have more. Ties of the score go to the smaller
-    /// mean error, then to the smaller gap.
+    /// Returns the trial with the least error score among the allowed ones, whose lit gap beside casters is at most
+    /// max_gap_m wide; null: none. A trial with more wrong pixels than the present bias is left out, unless every
+    /// allowed trial has more. Ties of the score go to the smaller mean error, then to the smaller gap.
     /// @param row only trials of this row of the bias table; null: of all rows
     /// @param no_acne true: only trials without acne
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
@@ -122,7 +123,7 @@ using FoundBiasShown = std::function<void(const FoundBias&)>;
 /// Searches the least bias among rows of the bias table. For each row it tries powers of two as strengths (multiples of
 /// the bias by theory), then strengths between the best of these. Draws by means of `meter`. Stops with the results so
 /// far when the meter or the report throws Cancelled after the first trial.
-/// @param max_gap_m largest gap at casters, 95th percentile, metres; none: any
+/// @param max_gap_m largest allowed lit gap beside casters, 95th percentile, metres; none: any
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
                             std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});

@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// Storage that copies of one copy-on-write array share: the elements, and their entry in the memory report.
+    /// Storage shared by the copies of one array: the elements, and their entry in the memory report.
     struct Block {
         explicit Block(std::vector<T> of) : elements(std::move(of)) {}
         std::vector<T> elements;

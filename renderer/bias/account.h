@@ -82,7 +82,8 @@ struct BiasBreakdown {
     /// Returns the largest width in metres of the lit strip next to a caster that touches the receiver (peter-panning).
     /// It is the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For
     /// a normal offset of length h this is h tan(theta): a lit strip where the caster leans along the light's rays,
-    /// elsewhere a shift of the shadow's edges. A sideways offset with bias.normal h (metres) gives h tan(theta), too.
+    /// elsewhere a shift of the shadow's edges. With bias.normal_by sideways (only the offset's part across the light's
+    /// ray), h = bias.normal in metres gives h tan(theta), too.
     double contact_gap_m() const;
     /// Returns the distance in metres by which the normal offset moves shadow edges along the surface: the part of the
     /// offset across the light's ray, divided by cos(theta), with theta between the surface normal and the light.

@@ -53,8 +53,9 @@ struct LeastBias {
 /// Computes the least depth bias with which a plane does not shadow itself, in depth-buffer units:
 ///   b_min = kappa (|g_u| + |g_v|) / N + q c_q + 2^-(B+1) (|g_u| + |g_v|) / N + e_fp.
 /// @param gradient g, depth-buffer units per map width (ReceiverPlane)
-/// @param kappa_texels largest distance of a tap's texel centre from the receiver, per axis: 0.5 nearest, 1 filtered
-///        2x2, R + 0.5 for (2R+1)^2 nearest and R + 1 for (2R+1)^2 bilinear taps
+/// @param kappa_texels largest distance of a tap's texel centre from the receiver, per axis. 0.5 for one nearest tap, 1
+///        for one bilinear tap (2x2 texels). For a square of (2R+1)^2 taps: R + 0.5 if they are nearest, R + 1 if
+///        bilinear
 /// @param size texels of the map, N a side
 /// @param quantum q, step of the stored depth; c_q = 1, as a driver may truncate
 /// @param subpixel_bits B, GL_SUBPIXEL_BITS; 0 or less leaves out the term of snapped vertices
@@ -62,18 +63,20 @@ struct LeastBias {
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize size, double quantum, int subpixel_bits,
                      double rounding = 0);
 
-/// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units: 4 2^-23 max(P
-/// (|d'| + d |w'| / w), d). P is `extent_m`, d the depth, w the clip-space w, and ' marks a change per metre. The first
-/// term is the rounding of coordinates, which a warped view also divides by w. The second is the rounding of the depth
-/// itself, which dominates where perspective depths crowd at 1.
+/// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units:
+///   4 * 2^-23 * max(P * (|d'| + d * |w'| / w), d).
+/// P is `extent_m`, d the depth and w the clip-space w. d' is the change of d per metre along the light's axis. w' is
+/// the largest change of w per metre across the axis; it is 0 in an unwarped view. The first term of the maximum is the
+/// rounding of coordinates, which a warped view also divides by w. The second is the rounding of the depth itself,
+/// which dominates where perspective depths crowd at 1.
 /// @param extent_m largest coordinate in the shaders, metres
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// Returns the depth bias that covers float rounding of map coordinates on a plane, in depth-buffer units:
-/// 2^-21 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`. `across` is a length in metres: the number of
-/// texels along the map's shorter side, times the shortest side of a texel at the point. w'/w is the relative change of
-/// clip-space w per metre in a warped view. Needed where texels are compared with the plane's depth at their own
-/// centre.
+///   2^-21 * P * (1 / across + |w'| / w) * (|g_u| + |g_v|).
+/// P is `extent_m`. `across` is a length in metres: the number of texels along the map's shorter side, times the
+/// shortest side of a texel at the point. w' / w is the relative change of clip-space w per metre across the light's
+/// axis; it is 0 in an unwarped view. Needed where texels are compared with the plane's depth at their own centre.
 /// @param gradient g, depth-buffer units per map width (ReceiverPlane)
 /// @param extent_m largest coordinate in the shaders, metres
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,

@@ -24,8 +24,8 @@ class BundleFiles {
 public:
     /// Opens a bundle: a folder, its frame.json, a zip file, or the name of a built-in bundle (builtin_bundles.h). A
     /// zip file may hold all its files in one folder.
-    /// @throws Error "PATH: what; what to do" for a file that is no bundle, and for zip files with forbidden names,
-    /// links, duplicates, encryption or sizes
+    /// @throws Error "PATH: what is wrong; what to do" for a file that is no bundle, and for zip files with forbidden
+    /// names, links, duplicates, encryption or sizes
     explicit BundleFiles(const std::filesystem::path& path);
     ~BundleFiles();
     BundleFiles(BundleFiles&&) noexcept;

@@ -36,7 +36,8 @@ struct LightAxes {
     UpAxis up = UpAxis::Y;  ///< axis of the light file, after mirroring, that becomes the scene's y; never File
     MirroredAxis mirrored = MirroredAxis::None;
     double unit = 1;  ///< unit of the light file, in units of the scene's world; above 0
-    /// Returns the matrix from the world space of the light file to that of the scene.
+    /// Returns the matrix from the world space of the light file (JSON with the light of an imported map image) to that
+    /// of the scene.
     glm::dmat4 scene_from_light() const;
     bool operator==(const LightAxes&) const = default;
 };
@@ -72,7 +73,8 @@ struct KnownConvention {
     bool allows(const Convention& convention) const;
 };
 
-/// Ray of a light through a shadow map, from the near to the far plane, in world space, metres.
+/// Ray of a light through a shadow map, from the near to the far plane, in world space, metres. Used to find the
+/// conventions of an imported map: the first caster on the ray is compared with the depth of the texel.
 struct MapRay {
     glm::dvec3 from_ws{0}, to_ws{0};
 };

@@ -20,7 +20,8 @@ namespace si {
 glm::dmat4 world_from_engine(const BundleWorld& world);
 
 /// Returns the view of an engine's shadow map (its light camera) in this program's world: metres, y up, right-handed.
-/// @throws Error "the matrix: what; what to do" for matrices that view_of_matrix() refuses
+/// @throws Error "the matrix: what is wrong" if view_of_matrix() refuses the matrix; most of these errors also say what
+/// to do
 LightView view_of_map(const BundleWorld& world, const BundleMap& map);
 
 /// Depth-buffer values of one imported map, and how many of its texels are invalid.
@@ -34,7 +35,7 @@ struct MapDepths {
 /// (BundleStored).
 /// @param view view of the map, see view_of_map()
 /// @param image decoded image of BundleMap::image, rows in the order of the file
-/// @throws Error "what; what to do" for a region or channel that the image lacks
+/// @throws Error "what is wrong; what to do" for a region or channel that the image lacks
 MapDepths depths_of_map(const BundleMap& map, const LightView& view, const FloatImage& image);
 
 /// Returns the rule by which a surface point chooses one of a light's views: by camera depth, cube face or place in the
@@ -74,7 +75,7 @@ EngineBias engine_bias_of_light(const Settings& settings, int light);
 Bundle read_bundle(BundleFiles& files);
 
 /// Reads an opened bundle: its frame.json and the shadow maps of all lights.
-/// @throws Error "FILE: place: what; what to do"
+/// @throws Error "FILE: PLACE: what is wrong"; most of these errors also say what to do
 GivenMaps read_given_maps(BundleFiles& files);
 
 /// Returns the content of a bundle with its shadow maps. Keeps the last few bundles in memory, each until one of its

@@ -69,10 +69,10 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
 std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
                                                std::vector<CasterRaster> raster = {});
 
-/// Converts the face culling of an engine to the winding of glTF as seen from the light. Returns the faces that are
-/// culled from a shadow map.
-/// @param culled GL_CULL_FACE_MODE of the engine, as in clip space whose y points up
-/// @param front_is_clockwise true: GL_FRONT_FACE is GL_CW
+/// Returns the faces that an engine culls from a shadow map, as this program names them. In this program, front faces
+/// wind counter-clockwise as seen from the light (glTF).
+/// @param culled GL_CULL_FACE_MODE of the engine
+/// @param front_is_clockwise true: the engine's front faces wind clockwise (GL_CW) in clip space with y up
 /// @param view view of the map
 Cull culled_faces(Cull culled, bool front_is_clockwise, const LightView& view);
 

@@ -31,7 +31,7 @@ private:
         int uv = 0;        ///< channel of texture coordinates
         aiTextureMapMode wrap[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     };
-    /// Texture that was written into the GLB.
+    /// Texture of an Assimp model, written into the GLB: its index, and whether its alpha masks.
     struct Written {
         int texture = -1;  ///< -1: none
         bool masks = false;

@@ -16,7 +16,8 @@ public:
 
     /// Appends bytes to the GLB as a buffer view. Returns its index. @throws Error beyond 4 GiB
     int add_view(std::span<const std::uint8_t> bytes);
-    /// Appends vectors of 32-bit floats to the GLB as an accessor. Returns its index.
+    /// Appends vectors of 32-bit floats to the GLB as an accessor. Returns its index. Used to convert models that
+    /// Assimp reads.
     /// @param width numbers per vector, 2 to 4
     /// @param with_bounds true: also writes the least and greatest component values, as positions need them
     int add_floats(std::span<const float> values, int width, bool with_bounds = false);

@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Ray-traced visibility of one pixel under one light (the reference), and the cause of the shadow map's error at this
-/// pixel.
+/// Reference (ray-traced visibility) of the probed pixel under one light, and the cause of the shadow map's error
+/// there. Made by trace_fragment_reference() for the pixel diagnosis.
 struct FragmentReference {
     PixelState state = PixelState::Background;
     bool lit = true;   ///< result for a light without size

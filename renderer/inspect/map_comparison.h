@@ -33,7 +33,8 @@ enum class TexelMatch : std::uint8_t {
     Masked,  ///< not compared, as a caster with an alpha mask may cover the texel
 };
 
-/// Limits of the gate. The gate tests whether scene, view and raster state reproduce an imported shadow map.
+/// Limits of the gate, the test whether scene, view and raster state reproduce an imported shadow map. They bound the
+/// shares of missed and extra texels, and the depth differences.
 struct MapGateLimits {
     double missed_share = 1e-3;  ///< largest ratio of missed texels to texels covered by the imported map
     double extra_share = 1e-4;   ///< largest ratio of extra texels to texels covered by the imported map

@@ -1,4 +1,5 @@
-// Drawing of a cross-section as lines, areas, dots and texts with roles, to be painted by the editor or as SVG.
+// Drawing of a cross-section as lines, areas, dots and texts, to be painted by the editor or as SVG. Each of them has a
+// role: the thing that it shows, which decides its colour.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace si {
 
-/// Role of a line, area, dot or text in the drawing of a cross-section. Its colour follows from the role.
+/// Role of a line, area, dot or text in the drawing of a cross-section: the thing that it shows, such as stored depths.
+/// Its colour follows from the role.
 enum class Ink {
     Paper,
     Text,
@@ -63,7 +65,8 @@ struct Mark {
     std::string text;
 };
 
-/// Legend entry in the drawing of a cross-section: the meaning of all marks with one shape and role.
+/// Legend entry in the drawing of a cross-section. It explains all marks of one shape (Mark::Kind) that show the same
+/// thing (Ink), such as stored depths.
 struct LegendRow {
     Mark::Kind kind = Mark::Kind::Line;
     Ink ink = Ink::Text;

@@ -39,10 +39,10 @@ CostCase parse_cost(std::string_view key);
 /// Turn of camera or light from one timed frame to the next, degrees.
 inline constexpr double kCostStepDegrees = 0.5;
 
-/// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: only the
-/// given settings. CostCase::Camera: the camera turns about its target and back. CostCase::Light: the light that
-/// view.light selects sinks and rises again; below the horizon it rises first. A camera that looks through the light
-/// stays in place.
+/// Returns the settings of the frames to time, one entry per frame, to be drawn in a loop. CostCase::Forced: one entry,
+/// the given settings; nothing moves. CostCase::Camera: the camera turns about its target and back. CostCase::Light:
+/// the light that view.light selects sinks and rises again; below the horizon it rises first. A camera that looks
+/// through the light stays in place.
 /// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 

@@ -37,9 +37,10 @@ Settings without_shadows(Settings settings);
 struct ShadowSamples {
     std::vector<double> moving_ms;       ///< the light of view.light moves: maps, preparation and look-ups
     std::vector<double> still_ms;        ///< the camera moves and maps are cached; as many as `moving_ms`
-    std::vector<double> forced_more_ms;  ///< time that the frame takes longer with all optimisations off
+    std::vector<double> forced_more_ms;  ///< additional time of a frame with all optimisations off
     std::vector<std::size_t> bursts;     ///< index of the first pair of each burst
-    /// Appends the shadow times of other pairs of frames. Their bursts (runs of frames without a pause) stay separate.
+    /// Appends the shadow times of further pairs of frames, one with and one without shadows. Their bursts (runs of
+    /// frames without a pause) stay separate.
     void add(const ShadowSamples& more);
 };
 

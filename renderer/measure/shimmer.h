@@ -55,8 +55,8 @@ struct ShimmerVariant {
     std::string_view key, label;
     Settings settings;
 };
-/// Returns the settings to compare for shimmering shadow edges: the given settings and, for a directional light, two
-/// stabilised maps. One of them snaps to whole texels.
+/// Returns the settings to compare for shimmering shadow edges: the given settings first. For a directional light, adds
+/// the same settings with light.fit stabilised twice: with light.snap on, and with it off.
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings);
 
 }  // namespace si

@@ -79,7 +79,8 @@ public:
     int held() const { return int(by_key_.size()); }
     /// Returns the capacity of the pool of virtual shadow map pages, in pages.
     int room() const { return int(slots_.size()); }
-    /// Drops all pages from the cache of virtual shadow map pages. The next choice sizes the pool again.
+    /// Drops all pages from the cache of virtual shadow map pages. The next call of choose_pages() chooses the size of
+    /// the pool again.
     void clear();
 
 private:

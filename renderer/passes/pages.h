@@ -19,7 +19,8 @@ struct PagedCasters {
     std::vector<std::vector<Box>> parts;  ///< boxes of the parts of large meshes; else empty
 };
 
-/// Description of one layer of the shadow map textures for reading it back: depth curve and kind of storage.
+/// Description of one layer of the shadow map textures for reading it back: how it stores depth over distance, and
+/// whether it is paged or holds distances.
 struct MapLayer {
     DepthCurve curve;
     int layer = 0;

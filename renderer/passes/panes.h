@@ -9,8 +9,9 @@
 
 namespace si {
 
-/// Passes that draw the panes of the split view. Each pane has overlay values, the picture with the overlay over it,
-/// and on top texels of a map as quads.
+/// Passes that draw the panes of the split view. The first pass of a pane draws the values of its overlay. The second
+/// colours these values and blends them over the picture. The third draws texels of the shown map as quads on top
+/// (view.slabs).
 class PanePasses : public FramePass {
 public:
     using ShownPane = FrameState::ShownPane;

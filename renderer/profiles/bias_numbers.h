@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Returns the depth bias in texels that acts like a normal offset of one texel on a surface at an angle to the light.
+/// Returns the depth bias in texels that prevents as much acne as a normal offset of one texel, on a surface at an
+/// angle to the light.
 /// @param by dependence of the offset on the angle
 /// @param angle_deg angle between surface normal and light
 double offset_equivalent(OffsetBy by, double angle_deg);
@@ -47,14 +48,14 @@ struct BiasNumbers {
 /// @throws Error when the bias is not finite at the reference angle
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
-/// Returns the tangent of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at
-/// which conversions keep the equivalent depth bias equal.
+/// Returns the tangent of the reference angle (MapFacts::angle_deg). At this angle between surface normal and light, a
+/// converted bias prevents as much acne as the original.
 double tan_angle(const MapFacts& facts);
-/// Returns the sine of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at which
-/// conversions keep the equivalent depth bias equal.
+/// Returns the sine of the reference angle (MapFacts::angle_deg). At this angle between surface normal and light, a
+/// converted bias prevents as much acne as the original.
 double sin_angle(const MapFacts& facts);
-/// Returns the cosine of the reference angle (MapFacts::angle_deg): the angle between surface normal and light at which
-/// conversions keep the equivalent depth bias equal.
+/// Returns the cosine of the reference angle (MapFacts::angle_deg). At this angle between surface normal and light, a
+/// converted bias prevents as much acne as the original.
 double cos_angle(const MapFacts& facts);
 
 /// Returns the depth bias in texels that equals a polygon offset on a surface at the reference angle to the light

@@ -38,7 +38,7 @@ std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view
                                          const EngineProfile* only = nullptr);
 /// Returns the equivalent depth bias of all bias parameters of an engine, in texels: the depth bias that acts against
 /// acne as much as they do, at the reference angle (MapFacts::angle_deg). The bias that the engine adds by itself is
-/// included.
+/// included. The difference of two calls gives the equivalent of one parameter, for lists.
 /// @throws Error as read_engine_values(); also for a profile without conversions
 double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts);
 

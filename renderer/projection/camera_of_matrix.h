@@ -7,13 +7,13 @@
 
 namespace si {
 
-/// Camera found from a view-projection matrix, such as that of an engine's picture. The picture's rectangle is in
-/// tangents; for parallel rays it is in metres.
+/// Camera found from a view-projection matrix, such as that of an engine's picture. The corners of the picture are
+/// tangents of the angles to the axis (metres at a distance of one metre); for parallel rays they are metres.
 struct MatrixCamera {
     glm::dvec3 eye{0};     ///< world; for parallel rays on the near plane
     glm::dmat3 axes{1.0};  ///< columns right, up, back
     bool orthographic = false;
-    glm::dvec2 lo{0}, hi{0};   ///< picture's corners across the axis, at one metre in perspective
+    glm::dvec2 lo{0}, hi{0};   ///< picture's corners across the axis, lower left and upper right
     double near = 0, far = 0;  ///< metres along the axis; 0: none, as for an infinite far plane
     /// Returns the vertical field of view of this perspective camera, radians. For a picture off its axis: that of a
     /// centred picture of the same height.

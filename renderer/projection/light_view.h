@@ -16,7 +16,8 @@ struct TexelSize {
     double longest = 0, shortest = 0;
 };
 
-/// Rectangle that a light view covers across its axis: metres for parallel rays, tangents in perspective.
+/// Rectangle that a light view covers across its axis. Metres for parallel rays; in perspective, tangents of the angles
+/// to the axis (metres at a distance of one metre).
 struct CrossSection {
     glm::dvec2 lo{0}, hi{0};
 };
@@ -45,7 +46,8 @@ struct LightView {
     bool clamps_near = false;  ///< casters before the near plane are drawn on it (pancaking)
     CasterShift caster_shift;  ///< of an engine's maps
     /// Sets the light view's projection to one that is centred on the axis, with the depth range of `curve`.
-    /// @param half half of the width and height: metres, or in perspective tangents of half the angles
+    /// @param half half of the width and height: metres for parallel rays; in perspective, tangents of half the angles
+    /// of view
     void set_half_extents(const glm::dvec2& half);
     /// Updates the light view's projection matrix after a change of the depth range (`curve`). The projection must be
     /// centred on the axis; its width and height stay.
@@ -64,14 +66,15 @@ struct LightView {
     /// Returns true for an unwarped light view whose shadow map texels are wider than high, or higher than wide.
     /// @param size texels of the map
     bool stretched(MapSize size) const;
-    /// Returns the bounding rectangle of the shadow map across the light view's axis: metres for parallel rays,
-    /// tangents in perspective.
+    /// Returns the bounding rectangle of the shadow map across the light view's axis. Metres for parallel rays; in
+    /// perspective, tangents of the angles to the axis (CrossSection).
     CrossSection cross_section() const;
     /// Returns half of the width and height of what a light view covers. For views not centred on the axis: the largest
-    /// distance of the map's sides from the axis, horizontally and vertically. Metres, or in perspective tangents.
+    /// distance of the map's sides from the axis, horizontally and vertically. Metres for parallel rays; in
+    /// perspective, tangents of the angles to the axis.
     glm::dvec2 half_extents() const;
     /// Returns the larger one of half the width and half the height of what a light view covers, see half_extents().
-    /// Metres, or in perspective a tangent.
+    /// Metres for parallel rays; in perspective, the tangent of an angle to the axis.
     double half_extent() const;
     /// Returns the world-space position at shadow map coordinates `uv` and distance z along the light's axis.
     /// @param uv map coordinates in [0,1]

@@ -9,7 +9,8 @@ namespace si {
 
 /// Returns the projection matrix from view space to the clip space of curve.convention; the view looks along -z.
 /// @param curve depth range, and perspective or parallel rays
-/// @param half_x,half_y half extents in metres; in perspective tangents of the half angles
+/// @param half_x,half_y half of the view's width and height: metres for parallel rays; in perspective, tangents of half
+/// the angles
 glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half_y);
 
 /// Returns the matrix from clip space to homogeneous map coordinates (u, v) and depth, all in [0,w]. Used to look up

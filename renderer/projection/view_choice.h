@@ -18,7 +18,7 @@ enum class ViewChoice { One, Face, Interval, Map, Distance };
 
 /// Limits of one cascade or clip level (one of several virtual maps around the camera): where it ends, and where its
 /// blend into the next begins. The unit depends on the rule (ViewChoice). Interval: metres of camera depth. Map:
-/// max(|u|, |v|) from the map's centre, so 0.5 is its side. Distance: metres.
+/// max(|u|, |v|), measured from the map's centre; 0.5 is the map's edge. Distance: metres.
 struct ViewSpan {
     double ends = 0;         ///< end of the view
     double blends_from = 0;  ///< start of the blend

@@ -36,8 +36,8 @@ public:
     void set_number_watcher(NumberWatcher watch);
 
     /// Returns a key of the shader programs that render() would use. Frames with equal keys need the same programs:
-    /// after one of them, the others have nothing to compile. Draws nothing, except the visible depths where the fit
-    /// (the rule for what a map covers) needs them.
+    /// after one of them, the others have nothing to compile. Draws nothing, with one exception. If the fit (the rule
+    /// for what a map covers) reads depths of the camera, those are drawn (light.depth_bounds=sdsm).
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
     /// Reads back an RGBA8 image of a frame, top row first.

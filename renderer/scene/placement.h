@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Returns the unit vector in world space for a choice of scene.direction.
+/// Returns the unit vector in world space along which scene.direction moves the scene.
 glm::dvec3 placement_direction(PlacedAlong along);
 
 /// Returns the transform that places a scene in the world by the settings scene.scale, distance and direction

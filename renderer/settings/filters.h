@@ -65,13 +65,13 @@ struct Tolerance {
     std::string_view why = "rounding of the weights";
 };
 
-/// Sampling noise of a kernel: its error against its own result with 4096 samples, and how fast the error falls with
-/// more samples. With random samples the error falls with the square root of their number, with evenly spread samples
-/// faster.
+/// Expected fall of a kernel's sampling noise with more samples: the slope of log RMSE over the logarithm of their
+/// number. The error is against the kernel's own result with 4096 samples. Random samples have the slope -1/2, evenly
+/// spread ones a steeper slope.
 struct Noise {
-    std::string_view taps;  ///< key of the setting with the number of samples; empty: the kernel does not sample
-    double slope = 0;       ///< slope of log RMSE over the log of the number of samples
-    double tolerance = 0.15;
+    std::string_view taps;    ///< key of the setting with the number of samples; empty: the kernel does not sample
+    double slope = 0;         ///< slope of log RMSE over the log of the number of samples
+    double tolerance = 0.15;  ///< largest difference from `slope` that a test allows
 };
 
 /// Row of the table of shadow filter kernels, such as PCF, PCSS or VSM. The GLSL file that a row names defines `float

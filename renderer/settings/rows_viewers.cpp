@@ -147,8 +147,9 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_channel), .label = "Channel", SI_CHOICES(kMapChannels), .idle = channel_idle,
      .help = "Channel of the light's map that is shown: depth, or one of the moments that filter.kernel reads. With "
-             "view.map raw, grey is the number itself, from 0 black to 1 white. For exponentials, fit the greys "
-             "(view.map_fit). With view.map linear, grey is the depth that would give that number.",
+             "view.map raw, grey is the number itself, from 0 black to 1 white. Moments of exponential kernels (ESM, "
+             "EVSM) reach beyond this range: turn on view.map_fit for them. With view.map linear, grey shows a depth: "
+             "the one whose moment equals the stored number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .min = 0, .max = 15, .idle = mip_idle,
      .help = "Mip level of the channel that is shown. 0 is the map's own resolution, and each further level has half "

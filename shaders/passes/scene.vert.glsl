@@ -29,8 +29,8 @@ flat out vec4 world_row0, world_row1, world_row2;
 #endif
 invariant gl_Position;
 
-/// Returns the triangle's normal, turned to the camera. Screen derivatives would be off by a tenth of a degree in single
-/// precision. The value of the last corner applies to all fragments (flat).
+/// Returns the triangle's normal, turned to the camera. A normal from screen derivatives would be off by a tenth of a
+/// degree in single precision. The value of the last corner applies to all fragments (flat).
 vec3 seen_face_normal(vec3 normal, vec3 position) {
 #if CAMERA_PARALLEL
     vec3 to_eye = -frame.forward.xyz;

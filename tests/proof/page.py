@@ -26,9 +26,9 @@ A pixel of a tilted plane is dark where its visibility is below {dark:g}. Pixels
 In the scenes, the engine's numbers are converted from a constant bias of {constant:g} texels and a normal offset of {normal:g} texel. Alpha masks of materials are left out, so that leaves are whole rectangles.
 """
 
-LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. Red is dark in the engine "
-          "alone, and blue in the program alone. Pale blue is not compared. In the difference, pixels near an edge of "
-          "the ray-traced mask are darker than all others.")
+LEGEND = ("Each row shows the mask of the engine, the mask of the program, and their difference. A red pixel is in "
+          "shadow in the engine's mask alone, a blue one in the program's alone. Pale blue pixels are not compared. In "
+          "the difference, pixels near an edge of the ray-traced mask are darker than all others.")
 
 
 def percent(share, digits=2):

@@ -32,8 +32,8 @@ def grey(mask, compared=None):
 
 
 def difference(theirs, ours, compared, interior):
-    """Returns our mask in grey, with pixels that differ in colour: red where the engine alone is dark, blue where the
-    inspector alone is. Pixels near edges are darker than interior pixels."""
+    """Returns our mask in grey, with pixels that differ in colour: red if they are darker in the engine's mask, blue if
+    they are darker in the program's. Pixels near edges are darker than interior pixels."""
     out = grey(np.where(interior, 1.0, 0.9) * (0.6 + 0.4 * ours), compared)
     differ = compared & (np.abs(theirs - ours) > 0.02)
     out[differ & (theirs < ours)] = ONLY_THEIRS_DARK

@@ -44,8 +44,8 @@ struct ImportFacts {
     std::string problem;  ///< why the last request was refused; empty: it was not
 };
 
-/// State of the dialogs that import another engine's frame: what the user has chosen and typed. The application sets it
-/// when a step begins.
+/// State of the dialogs that import another engine's frame: what the user has chosen and typed. Before a dialog with
+/// choices or text fields is shown (ImportStep::Light, ImportStep::Choosing), the application fills in its proposals.
 struct ImportDialog {
     std::vector<int> picks;  ///< numbers of the chosen maps, or of the chosen reading
     std::string output;      ///< path of the bundle while it is being typed

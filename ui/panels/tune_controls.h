@@ -11,9 +11,10 @@ namespace si {
 
 struct FoundBias;
 
-/// Request to search for better settings: the least bias, or advice on all settings. With a limit of error or frame
-/// time, the search for the least bias also tries kernels and resolutions. Advice is then replaced by the autopilot,
-/// which searches combinations of settings for the best within the limits. No search changes the settings by itself.
+/// Request to search for better settings: for the least bias, or for advice on all settings. A limit of error or frame
+/// time changes both searches. The search for the least bias then also tries kernels and resolutions. In place of
+/// advice, the autopilot runs: a search for the best combination of settings within the limits. No search changes the
+/// settings by itself.
 struct SearchRequest {
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame

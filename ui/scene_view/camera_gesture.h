@@ -32,8 +32,9 @@ void move_camera(CameraSettings& camera, const glm::dvec3& right_up_forward);
 /// Turns the camera about the point that it looks at, so that it looks along a world axis.
 /// @param axis 0 x, 1 y, 2 z @param positive true: from the axis's positive side; false: from its negative side
 void look_along_axis(CameraSettings& camera, int axis, bool positive);
-/// Moves the camera without turning it, so that the box `bounds` fills the picture. Near and far planes become
-/// automatic. An empty box changes nothing. @param aspect width / height of the picture
+/// Moves the camera sideways and along its view, without turning it, so that the box `bounds` fills the picture. The
+/// camera then looks at the middle of the box. Near and far planes become automatic. An empty box changes nothing.
+/// @param aspect width / height of the picture
 void fill_picture_with(CameraSettings& camera, const Bounds& bounds, double aspect);
 /// Turns a light about its target, following the mouse to the right and upwards in the picture.
 /// @param seen camera with which the picture was drawn @param dx, dy mouse movement, pixels, y down

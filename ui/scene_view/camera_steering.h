@@ -9,8 +9,8 @@ namespace si {
 inline constexpr float kClickPixels = 3;  ///< movement beyond which a press is a drag, pixels
 
 /// Moves the camera by mouse and keys over the scene picture. A drag with Ctrl turns the shown light instead. Call
-/// right after the picture's ImGui item, unless a mark in the picture has taken the press. Sets
-/// state.viewport.press_moved and state.viewport.dragging.
+/// right after the picture's ImGui item, unless state.viewport.press_taken is set. The press then belongs to a light,
+/// the gnomon or the dividing line of a comparison. Sets state.viewport.press_moved and state.viewport.dragging.
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);
 
 /// Copies the picture's present camera into manual settings (camera.source), so that gestures can move it.

@@ -40,7 +40,8 @@ bool is_cone(LightHandle handle);
 /// Returns the name of a light's handle for tooltips: "Near plane".
 std::string_view handle_name(LightHandle handle);
 
-/// Pose of a light: the position, direction and planes that its handles in the scene picture show and change.
+/// Pose of a light: what its handles in the scene picture show and change, such as position, direction, extent of the
+/// map, and near and far plane.
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;

@@ -25,7 +25,7 @@ struct ScenePanel {
 
     bool dragging = false;                  ///< a drag in a picture is under way
     bool press_moved = false;               ///< the press in the picture has become a drag
-    bool press_taken = false;               ///< the press is on a mark and starts no camera gesture
+    bool press_taken = false;               ///< the press is on a light, the gnomon or a dividing line; no camera moves
     std::optional<HandleDrag> handle_drag;  ///< drag of a light's handle that is under way
     double wheel_until = 0;                 ///< ImGui time until which turns of the wheel are one gesture, seconds
     bool select_probed = false;             ///< the next probe selects its object (a double click)

@@ -107,13 +107,13 @@ bool steer_swipe(EditorState& state, const PictureView& view);
 /// @param right_half true: the right pane of a comparison side by side
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as A, to compare later settings with them. If no pictures are compared, the next
-/// comparison shows A. Removes the pin if these settings are pinned already. Does nothing while the user holds the key
-/// that shows A alone.
+/// Pins the present settings as A, to compare later settings with them. If no comparison is shown, the comparison that
+/// the user switches on next is with A. Removes the pin if these settings are pinned already. Does nothing while the
+/// user holds the key that shows A alone.
 void pin_settings(EditorState& state);
 /// Previews settings that a search proposes: shows their picture right of the dividing line (swipe), and the present
 /// picture left of it. Does nothing while the user holds the key that shows the picture of the pinned settings alone.
-/// Pinned are settings that the user has marked for comparison.
+/// The user pins settings to compare others with them.
 void show_tried(EditorState& state, const Settings& settings);
 /// Ends the preview of proposed settings that show_tried() began, and restores the earlier picture comparison.
 void hide_tried(EditorState& state);

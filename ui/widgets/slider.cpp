@@ -8,7 +8,8 @@
 namespace si {
 namespace {
 
-/// Draws the slider's mark below its number. @param id ImGui id of the slider
+/// Draws the slider's knob as a low bar below its number, and a paler bar from the left end to the knob.
+/// @param id ImGui id of the slider
 void draw_mark(const ImRect& frame, ImGuiID id, ImGuiDataType type, void* value, const void* least, const void* most,
                const char* format, ImGuiSliderFlags flags) {
     // For an inactive id, ImGui's function returns the knob's place and changes nothing.

@@ -16,8 +16,8 @@ constexpr double flat_tolerance(double radius) {
 }
 
 /// Returns the plane that contains all vertices of a mesh, in the space of the mesh; empty if the mesh is not flat.
-/// Vertices may lie off the plane by flat_tolerance(). The single-precision rounding of the coordinates counts instead
-/// where it is larger, up to 1/10,000 of the mesh's radius.
+/// Vertices may lie off the plane by flat_tolerance(), or by the single-precision rounding of the coordinates if that
+/// is larger. The rounding counts up to 1/10,000 of the mesh's radius.
 std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
 /// Returns true when a mesh cannot shadow its own front faces: no vertex lies in front of the plane of any triangle.

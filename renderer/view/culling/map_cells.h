@@ -37,7 +37,7 @@ public:
     static MapCells whole();
     /// Returns true when the set contains no cell of the shadow map.
     bool empty() const;
-    /// Returns true when the set contains all cells of the shadow map.
+    /// Returns true when the set contains all 64 x 64 cells of the shadow map.
     bool is_whole() const;
     /// Returns true when this set of shadow map cells contains every cell of another set.
     bool contains(const MapCells& other) const;

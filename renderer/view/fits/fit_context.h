@@ -54,7 +54,7 @@ double eye_advance_m(double near, double far);
 
 /// Returns half the width of a shadow map after adding a margin in texels at each side. The half width without margin
 /// counts as at least 2^-13 of `scale`, a thousand steps of single precision.
-/// @param half half width without margin: metres, or in perspective the tangent of half the angle
+/// @param half half width without margin: metres, or in perspective the tangent of half the angle of view
 /// @param scale size of the scene in the same unit, such as its radius
 /// @param resolution texels along a side of the map
 /// @param margin texels

@@ -19,8 +19,9 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
 /// @param range_m depth range without the margin, metres
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m);
 
-/// Returns the distance in metres by which the far plane of a directional light moves back for a ground under a model.
-/// A kernel at the far end of a ground shadow reads texels of the ground behind it. Returns 0 without a ground.
+/// Returns how far behind the end of a ground shadow the far plane of a directional light must lie, metres. A kernel
+/// there also reads texels of ground that is farther from the light. Returns 0 if no ground receives shadows, or if the
+/// light does not shine from above.
 /// @param texel_m width of a texel across the rays, metres
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m);
 

@@ -34,12 +34,12 @@ struct FitInput {
     }
 };
 
-/// Rectangle across a light's view: metres, or tangents in perspective. Empty by default.
+/// Rectangle across a light's view: metres, or in perspective tangents of the angles to the axis. Empty by default.
 using MapRegion = Bounds2;
 
-/// Function that finds the region of a light's view that its shadow map has to cover. It guarantees that no surface
-/// that the light reaches lies in shadow outside the region; fits by the camera guarantee it for surfaces that the
-/// camera sees. An empty result gives no guarantee: the map then covers the whole scene.
+/// Function that finds the region of a light's view that its shadow map has to cover. It guarantees that outside the
+/// region no surface that faces the light lies in shadow. Fits that read the camera guarantee this only for surfaces
+/// that the camera sees. An empty result gives no guarantee: the map then covers the whole scene.
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
 /// Returns a region of a light's view that contains every place where a caster shadows a receiver facing the light;

@@ -11,7 +11,8 @@ namespace si {
 /// @param size texels of the map
 double max_penumbra_radius_texels(const FittedLight& light, MapSize size);
 
-/// Returns the width in metres of the smallest texel in a light's shadow maps.
+/// Returns the width in metres of the smallest texel in a light's shadow maps. Used to convert the radius of a kernel
+/// (filter.radius) from metres to texels.
 /// @param size texels of the map
 double smallest_texel_m(const FittedLight& light, MapSize size);
 
