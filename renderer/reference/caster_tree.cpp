@@ -6,7 +6,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/workers.h"
-#include "renderer/reference/reference_rays.h"
 
 namespace si {
 namespace {
@@ -51,29 +50,30 @@ bool meets(const LightShaft& shaft, const ShaftBox& box) {
 }  // namespace
 
 struct CasterTree::Node {
+    struct Children {
+        Node* nodes[2];
+        RTCBounds bounds[2];
+    };
     /// Triangle by its ids in Embree.
     struct Triangle {
         unsigned caster, primitive;
     };
     unsigned triangles = 0;  ///< of a leaf; 0: an inner node
     union {
-        struct {
-            Node* children[2];
-            RTCBounds bounds[2];
-        };
+        Children children;
         Triangle leaf[kLeafTriangles];
     };
 };
 
-CasterTree::CasterTree(const RayHierarchy& scene, const std::stop_token& stop) {
+CasterTree::CasterTree(RTCDevice device, RTCScene scene, std::span<const std::size_t> triangles,
+                       const std::stop_token& stop) {
     std::vector<RTCBuildPrimitive> primitives;
-    primitives.reserve(scene.triangles);
-    for (unsigned c = 0; c < scene.casters.size(); ++c) {
-        const RTCGeometry geometry = rtcGetGeometry(scene.scene.get(), c);
+    for (unsigned c = 0; c < triangles.size(); ++c) {
+        const RTCGeometry geometry = rtcGetGeometry(scene, c);
         buffers_.push_back(
             {static_cast<const glm::vec3*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0)),
              static_cast<const std::uint32_t*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_INDEX, 0))});
-        const std::size_t count = scene.geometry->objects[scene.casters[c].object].mesh->triangles();
+        const std::size_t count = triangles[c];
         for (unsigned p = 0; p < count; ++p) {
             const auto [i, j, k] = corners(c, p);
             const glm::vec3 low = glm::min(glm::min(i, j), k), high = glm::max(glm::max(i, j), k);
@@ -84,7 +84,7 @@ CasterTree::CasterTree(const RayHierarchy& scene, const std::stop_token& stop) {
         }
     }
     if (primitives.empty()) return;
-    nodes_.reset(rtcNewBVH(scene.device.get()));
+    nodes_.reset(rtcNewBVH(device));
     RTCBuildArguments build = rtcDefaultBuildArguments();
     build.maxDepth = 48;
     build.maxLeafSize = kLeafTriangles;
@@ -95,10 +95,11 @@ CasterTree::CasterTree(const RayHierarchy& scene, const std::stop_token& stop) {
         return new (rtcThreadLocalAlloc(allocator, sizeof(Node), 16)) Node;
     };
     build.setNodeChildren = [](void* node, void** children, unsigned count, void*) {
-        for (unsigned i = 0; i < count; ++i) static_cast<Node*>(node)->children[i] = static_cast<Node*>(children[i]);
+        for (unsigned i = 0; i < count; ++i)
+            static_cast<Node*>(node)->children.nodes[i] = static_cast<Node*>(children[i]);
     };
     build.setNodeBounds = [](void* node, const RTCBounds** bounds, unsigned count, void*) {
-        for (unsigned i = 0; i < count; ++i) static_cast<Node*>(node)->bounds[i] = *bounds[i];
+        for (unsigned i = 0; i < count; ++i) static_cast<Node*>(node)->children.bounds[i] = *bounds[i];
     };
     build.createLeaf = [](RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* first, std::size_t count,
                           void*) -> void* {
@@ -133,7 +134,7 @@ bool CasterTree::collect(const LightShaft& shaft, std::size_t most, ShaftTriangl
         left.pop_back();
         if (node.triangles == 0) {
             for (int i = 0; i < 2; ++i)
-                if (meets(shaft, box_along(axes, node.bounds[i]))) left.push_back(node.children[i]);
+                if (meets(shaft, box_along(axes, node.children.bounds[i]))) left.push_back(node.children.nodes[i]);
             continue;
         }
         for (unsigned i = 0; i < node.triangles; ++i) {

@@ -6,14 +6,13 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "renderer/reference/embree.h"
 
 namespace si {
-
-struct RayHierarchy;
 
 /// Region between some surface points and a light with a size, in the scene's unit frame. It holds every segment from
 /// one of the points to a point of the light. Its cross-section is a rectangle that grows with the height above the
@@ -44,8 +43,10 @@ struct ShaftTriangles {
 class CasterTree {
 public:
     /// Builds the hierarchy over the triangles of a scene without instances.
-    /// @param scene must outlive this object @throws Error for lack of memory; Cancelled
-    CasterTree(const RayHierarchy& scene, const std::stop_token& stop);
+    /// @param scene must outlive this object
+    /// @param triangles numbers of triangles, by the id of Embree's geometry
+    /// @throws Error for lack of memory; Cancelled
+    CasterTree(RTCDevice device, RTCScene scene, std::span<const std::size_t> triangles, const std::stop_token& stop);
 
     /// Lists the triangles whose boxes meet a shaft. Returns false if there are more than `most`; the list is then
     /// incomplete.

@@ -15,8 +15,8 @@ bool is_culled(Cull cull, bool front) {
 }
 
 // The compiler builds the loops for several processors, one of which chooses. All give the same bytes: none fuses
-// products.
-#if defined(__x86_64__) && defined(__gnu_linux__)
+// products. The choice at start-up and AddressSanitizer do not go together.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__)
 #define SI_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define SI_WIDE_VECTORS
@@ -97,6 +97,7 @@ bool ProjectedCasters::project(const RayHierarchy& scene, const CasterTree& tree
     sun_ = sun;
     table_.clear();
     hides_all_ = false;
+    has_masks_ = false;
     const glm::vec3 along = glm::transpose(shaft.axes) * origin;
     const glm::dmat3 across = glm::transpose(disk.axes);
     const double radius2 = disk.radius * disk.radius;
@@ -143,6 +144,7 @@ bool ProjectedCasters::project(const RayHierarchy& scene, const CasterTree& tree
             out.weights[int(i)] = float(length);
         }
         triangles_.push_back(out);
+        has_masks_ = has_masks_ || mask;
     }
     return true;
 }
@@ -176,8 +178,11 @@ void ProjectedCasters::find_seen(const LightSamples& samples, std::span<const st
         return;
     }
     const std::uint32_t largest = *std::ranges::max_element(points);
-    if (largest < std::uint32_t{1} << LightSamples::kSquareDigits) {
-        if (largest >= table_.size()) fill_table(samples, std::bit_width(largest));
+    // A table with many more points than are asked for is dear where each takes an alpha test.
+    const bool few = has_masks_ && 2 * points.size() < largest;
+    if (largest >= table_.size() && largest < std::uint32_t{1} << LightSamples::kSquareDigits && !few)
+        fill_table(samples, std::bit_width(largest));
+    if (largest < table_.size()) {
         for (std::size_t k = 0; k < points.size(); ++k) seen[k] = table_[points[k]];
         return;
     }

@@ -30,6 +30,8 @@ public:
                  std::span<const ObjectTraits> culls, const SunPlaces* sun);
     /// Returns true if the casters certainly hide the whole light, or no part of it.
     bool hides_all_or_none() const { return hides_all_ || triangles_.empty(); }
+    /// Returns true if one of the casters has an alpha test, which makes samples dear.
+    bool has_masks() const { return has_masks_; }
     /// Finds the states of sample points of the light: lit or dark.
     /// @param samples sample points of the surface point that project() was given
     /// @param points numbers of the sample points
@@ -47,6 +49,7 @@ private:
 
     std::vector<Triangle> triangles_;
     bool hides_all_ = false;  ///< a solid triangle covers the whole light
+    bool has_masks_ = false;
     const SunPlaces* sun_ = nullptr;
     SamplePlaces places_;                ///< without `sun_`
     std::vector<std::int32_t> hidden_;   ///< by place: 1 if hidden, else 0

@@ -140,7 +140,8 @@ public:
         if (first_ < most()) first_ = std::min(first_, kKeptFirst);
         work_.resize(out_.state.size());
         penumbra_.resize(out_.state.size());
-        double done = first_share();
+        constexpr double kProjectedShare = 0.7;  // projected casters leave few pixels to the rays of later rounds
+        double done = tree_ ? kProjectedShare : first_share();
         sample(Round::First, workers.with_progress_range(0, done));
         // Samples of a neighbour may find a penumbra that the own ones missed.
         while (first_ < most() && find_penumbrae(workers)) {
@@ -375,8 +376,8 @@ private:
         });
     }
 
-    /// Returns the region between some pixels and the light. Returns nullopt if it has no simple form, since a light is
-    /// too near or too wide.
+    /// Returns the region between some pixels and the light. Returns nullopt if it has no simple form, since the light
+    /// is too near or too wide.
     std::optional<LightShaft> shaft_from(std::span<const std::size_t> pixels) const {
         const Emitter& light = query_.emitter;
         const auto light_disk = light_samples(pixels.front()).disk();
@@ -557,7 +558,7 @@ private:
     /// less than to choose among them. Returns their number.
     std::size_t take_projected_samples(std::size_t i, const LightSamples& samples, SampleBuffers& b,
                                        const std::stop_token& stop) {
-        constexpr std::size_t kMostAtOnce = kFirstPoints.size();
+        const std::size_t most_at_once = b.projected.has_masks() ? kPlainSamples : kFirstPoints.size();
         constexpr double kErrorOfTwice = 0.6;  // times the error: 2^(-3/4)
         auto count = std::size_t(std::min(kPenumbraSamples, most()));
         for (;;) {
@@ -566,9 +567,9 @@ private:
             b.light.start(samples, b.seen);
             const Estimate e = set_estimate(i, b.light);
             if (is_enough(e, count, Wanted::Crossed)) return count;
-            if (count == kMostAtOnce) break;
+            if (count == most_at_once) break;
             const bool twice = kErrorOfTwice * e.error <= query_.options.noise;
-            count = std::min({(twice ? 2 : 4) * count, kMostAtOnce, std::size_t(most())});
+            count = std::min({(twice ? 2 : 4) * count, most_at_once, std::size_t(most())});
         }
         std::size_t rays = count;
         do rays += refine(i, samples, b, stop);

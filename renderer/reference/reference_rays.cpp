@@ -79,7 +79,10 @@ void filter(const RTCFilterFunctionNArguments* args) {
 const CasterTree* RayHierarchy::caster_tree(const std::stop_token& stop) const {
     if (instances > 0) return nullptr;
     const std::lock_guard guard(tree_lock_);
-    if (!tree_) tree_ = std::make_unique<const CasterTree>(*this, stop);
+    if (tree_) return tree_.get();
+    std::vector<std::size_t> counts;
+    for (const Caster& c : casters) counts.push_back(geometry->objects[c.object].mesh->triangles());
+    tree_ = std::make_unique<const CasterTree>(device.get(), scene.get(), counts, stop);
     return tree_.get();
 }
 
