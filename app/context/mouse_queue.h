@@ -46,9 +46,9 @@ public:
     /// Returns the state of the mouse for an ImGui frame in which no button changes. @param at place of the mouse in
     /// that frame; none: unknown
     Step step_without_change(std::optional<glm::dvec2> at);
-    /// Returns the place of the mouse after all events that wait in the queue, in screen coordinates. Returns nothing
-    /// while the mouse is outside the window. But while a button is held or an event waits, the last place still
-    /// counts.
+    /// Returns the place of the mouse after all events that wait in the queue, in screen coordinates. Outside the
+    /// window, the place is known only while a button is held, or a press or release waits. A drag can therefore leave
+    /// the window. Returns nothing if the place is unknown.
     std::optional<glm::dvec2> last_position() const;
     /// Returns the number of mouse presses and releases that wait for an ImGui frame.
     std::size_t waiting() const { return waiting_.size(); }

@@ -21,7 +21,8 @@ public:
     /// Generates the code that the dialog Convert shows, if the dialog is open and an input has changed. Call once a
     /// frame. Returns true if the dialog has to be drawn again.
     /// @param frame data of the last drawn frame
-    /// @param measuring progress of measuring the error and time that the code states; none: not running
+    /// @param measuring progress of measuring the present settings, for the error and frame time in the code's head
+    /// comment; none: not running
     /// @param measured result of that measurement for the present settings; null: none
     bool update(const EditorFrame& frame, const std::optional<SearchProgress>& measuring,
                 const MeasuredConversion* measured);

@@ -101,7 +101,7 @@ private:
     void call(const std::function<void()>& work);
     /// Replaces the images of a finished frame by copies, which the window shows while the next frame overwrites the
     /// originals. If copying fails, the frame has no picture, and FrameFacts::problem states the reason.
-    /// @param shown fence that is signalled after the window's last use of older copies
+    /// @param shown fence that is signalled when the window no longer uses earlier copies, which are then overwritten
     void show_copies(GLsync shown);
 
     EditorState& state_;

@@ -26,8 +26,8 @@ public:
     /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
-    /// Drops the picture that the shown frame is compared with, the difference image and the second renderer. Call when
-    /// no frame is shown.
+    /// Drops the picture that the shown frame is compared with, and the difference image. Drops the second renderer,
+    /// too, which draws the frame under other settings. Call when no frame is shown.
     void clear();
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 

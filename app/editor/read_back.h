@@ -18,9 +18,10 @@ namespace si {
 /// read only while a panel shows it, once per drawn frame.
 class EditorReadBack {
 public:
-    /// Reads back from the GPU the numbers that `requests` name. Needs the renderer's OpenGL context. Returns true if
-    /// numbers have changed.
-    /// @param request request that the shown frame was drawn for
+    /// Reads back from the GPU the numbers that the panels request. Needs the renderer's OpenGL context. Returns true
+    /// if numbers have changed.
+    /// @param requests requests of the panels, which name the numbers
+    /// @param request FrameRequest (size, outputs and others) that the shown frame was drawn for
     /// @param result the shown frame @param drawn true: the frame was drawn in this update
     /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,

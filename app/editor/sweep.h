@@ -17,9 +17,9 @@ namespace si {
 /// of its own. Measures the present settings on that thread, too.
 class EditorSweep {
 public:
-    /// Makes the runner without a sweep.
-    /// @param state_folder folder for results of sweeps, which a later run of the program continues; empty: a temporary
-    /// folder
+    /// Makes the runner of sweeps, with no sweep yet; start() or open() gives it one.
+    /// @param state_folder folder for results of sweeps. A later run of the program continues an interrupted sweep from
+    /// there. Empty: a temporary folder
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();

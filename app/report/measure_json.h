@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Converts the source from which an engine's bias is known to JSON: "file", "entered", or null if the bias is unknown
-/// or the program draws the map.
+/// Converts the source of an engine's bias to JSON: "file" (the engine's bundle states it) or "entered" (by the user).
+/// Null if the bias is unknown, or if Shadow Inspector itself draws the map.
 nlohmann::ordered_json engine_bias_source_json(EngineBias bias);
 /// Converts the distribution of a measured time to JSON {median, p95, low, high, median_low, median_high, noise}. The
 /// noise is half the confidence interval of the median.

@@ -81,7 +81,7 @@ struct RunInfo {
     double load = 0;                   ///< load of the machine at the start, running processes per core
     CostCase cost = CostCase::Forced;  ///< kind of frames that the process timed
     /// Returns true if the frame times of this process and of `other` are comparable: same machine, driver, clock and
-    /// kind of frames.
+    /// kind of timed frames (CostCase: camera moves, light moves, or every pass drawn).
     bool comparable_with(const RunInfo& other) const;
 };
 

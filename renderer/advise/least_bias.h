@@ -107,11 +107,12 @@ struct FoundBias {
     std::string summary(bool no_acne) const;
 
 private:
-    /// Returns the trial with the least error score among the allowed ones, whose lit gap beside casters is at most
-    /// max_gap_m wide; null: none. A trial with more wrong pixels than the present bias is left out, unless every
-    /// allowed trial has more. Ties of the score go to the smaller mean error, then to the smaller gap.
-    /// @param row only trials of this row of the bias table; null: of all rows
-    /// @param no_acne true: only trials without acne
+    /// Returns the tried bias with the least error score among the allowed ones; null: none is allowed. A bias is
+    /// allowed if its lit gap beside casters (95th percentile) is at most max_gap_m wide, and the parameters admit it.
+    /// A bias with more wrong pixels than the present one is left out, unless every allowed bias has more. Ties of the
+    /// score go to the smaller mean error, then to the smaller gap.
+    /// @param row admits only this row of the bias table (kind of bias); null: all rows
+    /// @param no_acne true: admits only biases without acne
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
 };
 

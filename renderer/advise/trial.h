@@ -155,14 +155,16 @@ struct Candidate {
     const std::string& shown_name() const { return label.empty() ? name : label; }
 };
 
-/// Visibility of one watched pixel in a trial, beside that of the reference.
+/// Visibility of one pixel in a trial (frame drawn with a setting change), beside that of the reference. The pixel is
+/// the watched one, which a search for fixes is to put right.
 struct PixelTrial {
     float visibility = 1, reference = 1;
     bool right = true;  ///< the pixel is not wrong
 };
 
-/// Returns the visibility of a watched pixel in a measured frame, beside that of the reference.
-/// @param pixel index of the pixel, top row first
+/// Returns the visibility of one pixel in a measured frame, beside that of the reference. Also returns whether the
+/// pixel is right.
+/// @param with the frame, drawn with a setting change @param pixel index of the pixel, top row first
 PixelTrial pixel_trial(const MeasuredError& with, std::size_t pixel);
 
 /// Result of trying a setting change, beside the present settings: error, work, frame time, and numbers of cured (now
@@ -195,8 +197,8 @@ struct Trial {
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
     /// Returns the bytes of maps that the change adds; below 0: it saves bytes.
     long long map_bytes() const { return (long long)after.work.map_bytes - (long long)before.work.map_bytes; }
-    /// Returns true when the tried change was drawn and helps: it is accepted, or it lowers the error and leaves no
-    /// watched pixel wrong.
+    /// Returns true when the tried change was drawn and helps. It helps if its rule accepts it (`why_not` is empty), or
+    /// if it lowers the error and the watched pixel is right. Without a watched pixel, a lower error is enough.
     bool helps() const;
     /// Returns the number of cured minus broken pixels.
     long long gain() const { return (long long)cured - (long long)broken; }

@@ -81,9 +81,9 @@ struct BiasBreakdown {
     double moved_aside_m = 0;  ///< metres that a sideways normal offset adds to contact_gap_m(), beside its depth bias
     /// Returns the largest width in metres of the lit strip next to a caster that touches the receiver (peter-panning).
     /// It is the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For
-    /// a normal offset of length h this is h tan(theta): a lit strip where the caster leans along the light's rays,
-    /// elsewhere a shift of the shadow's edges. With bias.normal_by sideways (only the offset's part across the light's
-    /// ray), h = bias.normal in metres gives h tan(theta), too.
+    /// a normal offset of length h this is h tan(theta). A caster nearly parallel to the light's rays gets a lit strip
+    /// of this width. At other casters the shadow's edges shift by it. For bias.normal_by sideways (only the offset's
+    /// part across the light's ray) the width is h tan(theta) with the whole offset h (bias.normal in metres).
     double contact_gap_m() const;
     /// Returns the distance in metres by which the normal offset moves shadow edges along the surface: the part of the
     /// offset across the light's ray, divided by cos(theta), with theta between the surface normal and the light.

@@ -38,7 +38,8 @@ double depth_quantum(MapFormat format, double depth);
 /// distances as well: the view's depth curve converts their steps.
 double depth_quantum(MapFormat format, const DepthCurve& curve, double depth);
 
-/// Parts of the least bias with which a receiver's plane does not shadow itself, in depth-buffer units.
+/// Least depth bias that keeps a receiver's plane from shadowing itself, as a sum of parts: one for each reason why the
+/// plane needs bias. All parts are in depth-buffer units.
 struct LeastBias {
     double kernel = 0;    ///< taps read texels up to kappa texels away on a tilted plane
     double quantum = 0;   ///< rounding of stored depths to the map's format

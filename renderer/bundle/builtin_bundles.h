@@ -1,4 +1,4 @@
-// Bundles that the program makes itself: maps of an engine for the hard cases about given maps.
+// Bundles that the program makes itself: maps of an engine for the hard cases about imported maps.
 #pragma once
 
 #include <array>
@@ -44,8 +44,9 @@ inline constexpr GivenLight kGivenSpot{30, 70, 12, 60};
 /// that the bundle exists.
 bool is_builtin_bundle(const std::filesystem::path& path);
 
-/// Returns the files of a bundle that the program computes itself, for the hard cases about imported maps. Depths are
-/// those of rays through the texels' centres, computed in double precision.
+/// Returns the files of a bundle (an engine's frame) that the program computes itself. Hard cases (situations in which
+/// shadow maps break) use these bundles as imported maps. Depths are those of rays through the texels' centres,
+/// computed in double precision.
 /// @param name name with its prefix: "builtin:strip"
 /// @throws Error for a name that no built-in bundle has
 BundleContents builtin_bundle(std::string_view name);

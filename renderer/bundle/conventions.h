@@ -115,12 +115,13 @@ struct ConventionFits {
 };
 
 /// Finds the conventions by which an imported shadow map is written, where they are not stated. Reads the map by every
-/// possible combination, and compares some 4,000 texels per map with the casters of a scene. Without a scene, texels
-/// count as misfits outside the depth range and on the near plane. With a scene, other axes, handedness and length
-/// units of the light's world are also tried: first on few texels, then plausible ones on all.
-/// @param light light whose maps all read one image; its stated conventions are those of `known`
+/// possible combination, and compares some 4,000 texels per map with the casters of a scene. Without a scene, a texel
+/// counts as a misfit if its depth lies outside the depth range or on the near plane. With a scene, other axes,
+/// handedness and length units of the light's world are also tried: first on few texels, then plausible ones on all.
+/// @param light light whose maps are parts of `image` or the whole image; its stated conventions are those of `known`
 /// @param type_known false: BundleLight::type is not stated
 /// @param world matrix from the engine's world to metres, y up, right-handed
+/// @param image decoded image, rows in the order of the file
 /// @param casters function that traces rays through the scene; empty: there is no scene
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);

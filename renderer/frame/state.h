@@ -155,9 +155,9 @@ struct FrameState {
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
     /// Returns an image of a pass's result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
-    /// Registers a texture array in the plan as the shadow maps that look-ups compare with (Result::ShadowMaps). The
-    /// array gets the texture unit for reading depths and, unless depths are stored as colour, the comparison sampler's
-    /// unit.
+    /// Registers a texture array in the frame's plan (list of passes and their results) as the shadow maps that
+    /// look-ups compare with (Result::ShadowMaps). The array gets the texture unit for reading depths. Unless depths
+    /// are stored as colour, it also gets the unit of the comparison sampler.
     void place_compared_maps(const gl::Target& maps);
     /// Binds the images of these results to the texture units that the plan assigned. The renderer does this before
     /// each pass, for the results that the pass reads.
@@ -181,13 +181,14 @@ struct FrameState {
     bool fits_grey_range() const;
     /// Returns the cache key of the surfaces that the camera sees, at the picture's size.
     Key surfaces_key() const { return Key(geometry_key).add(camera_key).add(gl.programs.source().generation()); }
-    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads itself
+    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads on the CPU
     /// (Param::read_by). Settings that have no effect at present are left out.
     /// @param from key to extend
     /// @param pass kind of pass
     Key with_settings(Key from, ReadBy pass) const { return with_settings(std::move(from), pass, settings); }
-    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads itself
-    /// (Param::read_by). They are taken from `values` instead of the frame's settings.
+    /// Returns a cache key: `from` extended by the values of the settings that a kind of pass reads on the CPU
+    /// (Param::read_by). They are taken from `values` instead of the frame's settings. Settings that have no effect
+    /// under `values` are left out.
     /// @param from key to extend
     /// @param pass kind of pass
     static Key with_settings(Key from, ReadBy pass, const Settings& values);

@@ -13,8 +13,9 @@ namespace si::gltf {
 /// compressed data.
 std::string image_fault(std::span<const std::uint8_t> bytes);
 
-/// Explains which chunk of a PNG file is damaged by its checksum, as a clause; empty: none, or the file is no PNG. The
-/// decoder ignores checksums. Used where pixels are compared, since a damaged file may decode to wrong pixels.
+/// Explains which chunk of a PNG file has a wrong checksum, as a clause; empty: none, or the file is no PNG. Checks
+/// only chunks on which pixels depend. The decoder ignores checksums. Used where pixels are compared, since a damaged
+/// file may decode to wrong pixels.
 std::string checksum_fault(std::span<const std::uint8_t> bytes);
 
 }  // namespace si::gltf

@@ -64,8 +64,8 @@ struct TexelBox {
 };
 
 /// Options for the comparison of an imported shadow map with the map that this program draws. When the engine's shader
-/// moves casters, compare_imported_maps() itself sets the permitted depth difference (`room_m`) and the limits of the
-/// gate (`limits`).
+/// moves casters, compare_imported_maps() itself sets the permitted depth difference (`room_m`). It then also sets the
+/// limits within which the two maps count as equal (`limits`).
 struct MapCompareOptions {
     /// Width of a border around the texels that the imported map covers. An extra texel in the border does not count. 1
     /// for maps of moments, which are blurred.
@@ -74,7 +74,7 @@ struct MapCompareOptions {
     /// Metres along the axis by which both depths of one surface may differ, besides rounding and slope. Needed for
     /// casters that the engine moves by normals which the scene does not hold.
     double room_m = 0;
-    MapGateLimits limits;  ///< limits within which both maps count as alike
+    MapGateLimits limits;  ///< limits within which both maps count as equal
 };
 
 /// Comparison of one imported shadow map with this program's own map of the same view: counts of texels, depth

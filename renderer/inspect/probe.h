@@ -19,7 +19,8 @@ namespace si {
 /// Depth comparison of a shadow kernel with one texel: the texel, its weight, stored and compared depth, and the
 /// result.
 struct KernelTap {
-    /// Class of the surface that a shadow-map texel stores, relative to the receiver's plane at this texel.
+    /// Class of the surface that the light meets at a shadow-map texel, by its stored depth relative to the receiver's
+    /// plane there.
     enum class Meets {
         Nothing,  ///< the texel is empty or outside the map
         Own,      ///< the receiver's plane, within rounding errors; a dark result is acne

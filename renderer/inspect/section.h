@@ -99,7 +99,8 @@ struct Section {
     double occluder_m = 0;               ///< distance to the occluder, metres along the light's ray
     bool occluder_in_map = true;         ///< false: removed by culling or the near plane
 
-    /// Returns the step of a shadow-map texel in this cross-section; null when the cut does not contain the texel.
+    /// Returns the drawn step of a shadow-map texel in this cross-section: a line at the texel's stored depth. Null
+    /// when the cut does not contain the texel.
     /// @param texel index along the cut
     const Step* find_step(int texel) const;
     /// Returns the step of the texel that the look-up falls into; null: the map has no texel there.

@@ -1,4 +1,4 @@
-// Readings of the Pareto front: its steps, its knee, and the best case within a multiple of the base's cost.
+// Features of the Pareto front: its steps, its knee, and the best case within a multiple of the base's cost.
 #pragma once
 
 #include <optional>

@@ -54,7 +54,7 @@ struct FrontierPlot {
     bool whole = false;               ///< true: the axes span all cases; false: they end some way beyond the front
 };
 
-/// Role of a mark in a frontier plot (error over cost); the mark's colour follows from the role.
+/// Role of a mark in a frontier plot (error over cost), such as grid or text; the mark's colour follows from the role.
 enum class PlotInk { Paper, Text, Muted, Grid, Beaten, Front, Spot, Family0 };
 inline constexpr std::size_t kPlotInks = std::size_t(PlotInk::Family0) + kPlotFamilies;
 
@@ -62,11 +62,12 @@ inline constexpr std::size_t kPlotInks = std::size_t(PlotInk::Family0) + kPlotFa
 /// @param family below kPlotFamilies
 PlotInk family_ink(int family);
 
-/// Colour of a role of marks in the frontier plot (error over cost): sRGB on a light and on a dark background.
+/// Colour of all marks with the same role (PlotInk: grid, Pareto front and others) in the frontier plot (error over
+/// cost). Has one sRGB colour for a light background and one for a dark one.
 struct PlotColour {
     std::array<std::uint8_t, 3> on_light, on_dark;
 };
-/// Returns the colour of a role of lines, areas and texts in the frontier plot (error over cost).
+/// Returns the colour of the lines, areas and texts that have the role `ink` in the frontier plot (error over cost).
 const PlotColour& plot_colour(PlotInk ink);
 
 /// Line, shape or text in a frontier plot (error over cost), in pixels.
@@ -122,9 +123,9 @@ struct FrontierDrawing {
 /// the noise of neighbours on the front overlaps, whiskers show the noise.
 FrontierDrawing frontier_drawing(const FrontierPlot& plot, const PlotPage& page);
 
-/// Returns a sentence on the knee of the Pareto front, the case after which more cost gains little: no case of at most
-/// twice its cost has an error a quarter smaller. Example: "PCF 3×3, 2048²: 0.021 for 6 ms; nothing within 2 × is a
-/// quarter better."
+/// Returns a sentence on the knee of the Pareto front (knee_of()): the case beyond which more cost gains little. Up to
+/// twice the knee's cost, no case has an error lower by a quarter. Example: "PCF 3×3, 2048²: 0.021 for 6 ms; nothing
+/// within 2 × is a quarter better."
 std::string knee_sentence(const FrontierPlot& plot);
 /// Formats the cost of a case in the frontier plot (error over cost) with its unit, such as "6.1 ms of processor" for
 /// processor time.

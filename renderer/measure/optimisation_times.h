@@ -74,9 +74,9 @@ public:
     /// Prepares the frames. @param optimisation the optimisation to time; StaticCasterCache needs an animated scene
     CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
     /// Draws the next frame, and advances the motion at every second call. Call alternately with and without the timed
-    /// optimisation in `forced`, so that each step of the motion is drawn both ways.
-    /// @param forced the optimisations to switch off, so that all their work is drawn. One renderer draws the frames
-    /// with an empty set, another all others, so that neither finds the other's caches
+    /// optimisation in `forced`, so that each step of the motion is drawn both ways. Frames with an empty `forced` have
+    /// a renderer of their own, so that they do not share caches with the others.
+    /// @param forced the optimisations to switch off, so that all their work is drawn
     FrameResult draw(OptimisationSet forced);
 
 private:
@@ -85,7 +85,7 @@ private:
     FrameRequest request_;
     std::vector<Settings> steps_;  ///< settings of the camera's motion, repeated; one entry when the animation plays
     bool advances_time_;
-    Renderer optimised_, unoptimised_;
+    Renderer optimised_, unoptimised_;  ///< renderers for an empty `forced` and for any other
     int drawn_ = 0;
 
     /// Advances the scene's animation by one frame of 1/30 s; does nothing when the camera moves instead.

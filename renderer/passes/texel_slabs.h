@@ -30,8 +30,9 @@ struct TexelSlab {
 };
 
 /// Returns the distance along the light's axis, metres, at which a fragment compares equal to a shadow map texel under
-/// bias.constant. Used for the quads that show texels in the scene (view.slabs). From this distance the bias moves the
-/// fragment to the stored depth. With z0 the stored distance and c the constant, the distance is, by the bias's unit:
+/// bias.constant. Used for the quads that show texels in the scene (view.slabs). A fragment at this distance has the
+/// stored depth once the bias has shifted it towards the light. With z0 the stored distance and c the constant, the
+/// distance is, by the bias's unit:
 ///   depth:  distance(stored + c), under reversed depth distance(stored - c)
 ///   metres: z0 + c
 ///   texels: z0 + c t, with t the size of a texel at z0; in perspective z0 / (1 - c t / z0), as texels grow with z

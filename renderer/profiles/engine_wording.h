@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Translator of setting changes into the parameters of an engine, for texts. Holds the engine, the present settings
-/// and the facts of the map.
+/// Translator of setting changes into the parameters of an engine, for texts. Holds the engine, the present settings,
+/// and the facts of the shadow map (width, resolution, format and others) on which the conversion depends.
 struct EngineWording {
     const EngineProfile* profile = nullptr;  ///< null: none, and all texts are empty
     MapFacts facts;

@@ -10,8 +10,9 @@
 
 namespace si {
 
-/// Size of a shadow map texel in metres, measured across the light's axis, along its longest and shortest direction.
-/// Both lengths are equal in a square map of an unwarped view whose width equals its height.
+/// Longest and shortest side of a shadow map texel in metres, measured in a plane perpendicular to the light's axis.
+/// For a skewed texel they are the singular values of the mapping from texels to metres. Both lengths are equal in a
+/// square map of an unwarped view whose width equals its height.
 struct TexelSize {
     double longest = 0, shortest = 0;
 };
@@ -84,7 +85,8 @@ struct LightView {
     /// view.
     /// @param size texels of the map
     double texel_size(double z, MapSize size) const { return texel_sizes(z, size).longest; }
-    /// Returns the size in world space of the shadow map texel that contains a point, measured across the light's axis.
+    /// Returns the size in world space of the shadow map texel that contains a point, measured in a plane
+    /// perpendicular to the light's axis.
     /// @param size texels of the map
     TexelSize texel_size_at(const glm::dvec3& point_ws, MapSize size) const;
     /// Returns the longest side of the largest texels of the shadow map and the shortest side of the smallest. In

@@ -660,8 +660,8 @@ constexpr HardCase kCases[] = {
     {37, "bent-ground", "Bent ground in grazing light",
      "Bent ground is made of flat strips. Within the kernel the neighbouring strip rises above the plane of the "
      "receiver. Dark bands appear in grazing light.",
-     "The compared plane is shifted towards the light by an amount that grows with a texel's distance from the "
-     "look-up.",
+     "Texels are compared with the receiver's plane shifted towards the light. The shift grows with a texel's distance "
+     "from the look-up.",
      "lit pixels of bent ground darker than lit, with 16 reversed bits, 100 km off", 0.01, kPixels,
      "strips do not shadow each other; the foot of the box's lit sides is an inner corner",
      "share of them that the plane alone darkens", 0.05, hard_bent_ground,

@@ -59,8 +59,8 @@ struct HardCaseView {
 /// Finds a hard case by the name that opens it, such as "hard/grazing-fixed"; nullopt when there is none.
 std::optional<HardCaseView> find_hard_case(std::string_view name);
 
-/// Returns all hard cases that can be opened, by number. Each row of the table gives the view without its fix, if a
-/// setting shows the fault, and then the view with the fix.
+/// Returns the views of all hard cases (situations in which shadow maps break), in order of their numbers. First comes
+/// a case's view without its fix, then the view with it. If no setting shows the fault, the first view is missing.
 std::span<const HardCaseView> hard_case_views();
 
 }  // namespace si

@@ -22,8 +22,8 @@ struct EarlierDefault {
     std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the table of former defaults, oldest first, with which settings files of earlier versions are read. Only
-/// tests assign another table through the reference, to read files of versions that do not exist.
+/// Returns the table of former defaults, oldest first. Files with settings that earlier versions wrote are read with
+/// these defaults. Only tests assign another table through the reference, to read files of versions that do not exist.
 std::span<const EarlierDefault>& earlier_defaults();
 
 /// Returns the lowest version of settings files that the program can read: the lowest version in earlier_defaults().

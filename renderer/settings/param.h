@@ -180,7 +180,8 @@ Value parse_value(const SettingRef& ref, std::string_view text);
 /// Returns the other settings, with their values, that change too when the setting `ref` is set from a text. The name
 /// of a kernel with its size ("pcf5") implies filter.size and filter.point. Empty for all other texts.
 std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text);
-/// Sets the setting with the dotted key `key` from a text, and the settings that the text implies.
+/// Sets the setting with the dotted key `key` from a text. Also sets the settings that the text implies
+/// (implied_values()), such as filter.size for the kernel "pcf5".
 /// @throws UsageError for a bad value, or for an unknown key with the nearest known one
 void set_setting(Settings& s, std::string_view key, std::string_view text);
 /// Sets several settings in order, as set_setting() does. @param changes pairs of key and text @throws UsageError

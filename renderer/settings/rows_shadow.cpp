@@ -352,9 +352,9 @@ bool slope_acts(const Settings& s) {
 constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .cost = Cost::Program, .choices = bias_choices,
      .help = "Rule for the amount that is subtracted from the fragment's depth before the comparison. Normal offset "
-             "and polygon offset act in addition. Choosing another kind sets bias.constant and bias.normal to the "
-             "starting values of that kind: 0.1 and 3 texels for slope and constant, 0 and 0 for all other kinds. "
-             "Values given in the same command line or sweep are kept.",
+             "and polygon offset act in addition. Choosing another kind also sets bias.constant and bias.normal to "
+             "starting values, depending on the kind: 0.1 and 3 texels for slope and constant, 0 and 0 for all other "
+             "kinds. Values given in the same command line or sweep are kept.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},

@@ -51,8 +51,8 @@ constexpr auto kSourceParams = std::to_array<Param>({
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .min = 1, .max = 1 << 20, .logarithmic = true,
      .cost = Cost::Target,
      .help = "Maximum number of rays from a texel to points of the light (light.size). Every texel gets 8 rays, "
-             "texels around penumbrae get 64, and noise may require more. A single ray goes to the light's middle, "
-             "and the shadow is hard."},
+             "texels around penumbrae get 64, and noise may require more. With the value 1, the ray goes to the "
+             "light's middle, and the shadow is hard."},
 });
 static_assert(kSourceParams.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
                                           member_count<BlobSettings>() + member_count<LightMapSettings>(),

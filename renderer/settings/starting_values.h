@@ -25,8 +25,8 @@ void set_starting_values(const Settings& before, Settings& after, const std::set
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
 /// Returns the settings that a command line must name with --set to turn the settings `a` into `b`. First come those
-/// that differ. Then follow those that a change of bias.kind would otherwise reset to its starting values (values that
-/// the new kind brings along).
+/// that differ. Then follow settings that are equal in both, but that `--set bias.kind` would change, since a new kind
+/// brings along starting values.
 std::vector<SettingRef> settings_to_set(const Settings& a, const Settings& b);
 
 }  // namespace si

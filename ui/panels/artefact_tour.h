@@ -12,8 +12,8 @@
 
 namespace si {
 
-/// Request to find clusters of wrong pixels in the shown picture: pixels whose shadow differs from the ray-traced
-/// reference for one cause, such as acne.
+/// Request to find clusters of wrong pixels in the shown picture, for the tour of wrong pixels (ArtefactTour). A wrong
+/// pixel's shadow differs from the ray-traced reference. The request names the cause of the difference, such as acne.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< different for each request; 0: no request yet
@@ -48,11 +48,12 @@ struct ArtefactTour {
 struct EditorState;
 struct EditorFrame;
 
-/// Returns the cause of error, such as acne, whose clusters of wrong pixels the tour visits: the user's choice, else
-/// the most frequent cause. Returns Artefact::None if errors are not known, or no pixel is wrong.
+/// Returns the cause of error, such as acne, whose clusters of wrong pixels the tour (ArtefactTour) visits. It is the
+/// user's choice, else the most frequent cause. Returns Artefact::None if errors are not known, or no pixel is wrong.
 Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame);
-/// Chooses the cause of error whose clusters of wrong pixels the tour visits, and shows the artefact overlay. A second
-/// call with the same cause hides the overlay and clears the choice.
+/// Chooses the cause of error, such as acne, for the tour of wrong pixels, and shows the artefact overlay. In the tour,
+/// the camera visits one cluster of pixels wrong by this cause after another. A second call with the same cause hides
+/// the overlay and clears the choice.
 void toggle_tour_cause(EditorState& state, Artefact cause);
 /// Moves the camera to the next cluster of wrong pixels and probes the pixel at the cluster's middle. If the clusters
 /// are not known yet, requests them; follow_artefact_tour() then moves the camera.

@@ -51,8 +51,8 @@ std::string shown_label(const CompareWith& with, std::span<const PresetEntry> pr
 /// @param settings present settings; buttons replace one or all of them by the compared ones
 /// @param pinned the pinned settings; none: the combo does not offer them
 /// @param scene_name name of the shown scene
-/// @param other loaded settings of the choice `compare`; while they are being loaded, null or the settings of the
-/// choice before
+/// @param other loaded settings of the choice `compare`. While these are still being loaded, it is null or has the
+/// settings of the previous choice
 void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
                   const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
                   PresetRequests& requests);

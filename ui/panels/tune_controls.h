@@ -12,12 +12,12 @@ namespace si {
 struct FoundBias;
 
 /// Request to search for better settings: for the least bias, or for advice on all settings. A limit of error or frame
-/// time changes both searches. The search for the least bias then also tries kernels and resolutions. In place of
-/// advice, the autopilot runs: a search for the best combination of settings within the limits. No search changes the
-/// settings by itself.
+/// time changes both searches. The search for the least bias then also tries kernels and resolutions. The search for
+/// advice is then replaced by the autopilot, which looks for the best combination of settings within the limits. No
+/// search changes the settings by itself.
 struct SearchRequest {
-    std::optional<double> max_error;  ///< largest mean error of visibility
-    std::optional<double> max_ms;     ///< longest time of a frame
+    std::optional<double> max_error;  ///< largest mean error of visibility; none: no limit
+    std::optional<double> max_ms;     ///< longest time of a frame, milliseconds; none: no limit
     bool area = false;                ///< compares with an area light instead of a point
     CostCase cost = kDefaultCost;     ///< kind of frames that are timed
 };
@@ -27,7 +27,7 @@ struct LimitFields {
     bool bound_error = true;
     bool bound_ms = false;
     double max_error = 0.01;       ///< largest mean error of visibility
-    double max_ms = 10;            ///< longest time of a frame
+    double max_ms = 10;            ///< longest time of a frame, milliseconds
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     /// Returns true when a limit is switched on.
     bool any() const { return bound_error || bound_ms; }

@@ -18,7 +18,8 @@ namespace si {
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// Returns the light's settings after a drag of `handle` to the place `to` on the screen (pixels). Nothing if the
-/// handle has no place under the mouse: it moves along the line of sight, or would lie behind the camera.
+/// handle cannot follow the mouse: its line of movement is parallel to the line of sight, or the handle would lie
+/// behind the camera.
 /// @param start the pose at the press of the button (grab_light())
 /// @param step step of lengths, metres (angles then step by 5 degrees); 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,

@@ -18,13 +18,13 @@ void stop_playing(EditorState& state);
 
 /// Undoes the last change of settings (the last step of the history). Stops a playing animation first and undoes its
 /// change of time. A step of another scene, or with another scene.index, scene.up or scene.unit, sets
-/// state.between_steps and is shown once its scene is loaded.
+/// state.between_steps and is shown when its scene has been loaded.
 void undo(EditorState& state);
-/// Redoes the change of settings that was undone last. A step of another scene is shown once its scene is loaded, as in
-/// undo().
+/// Redoes the change of settings that was undone last. A step of another scene is shown when its scene has been loaded,
+/// as in undo().
 void redo(EditorState& state);
 /// Goes to any step of the undo history, back or forward. Stops a playing animation first. A step of another scene is
-/// shown once its scene is loaded, as in undo(). @param step the index of the step
+/// shown when its scene has been loaded, as in undo(). @param step the index of the step
 void go_to_step(EditorState& state, std::size_t step);
 
 /// Advances scene.time while the animation plays, and stops the animation at its end unless it loops. Call once a

@@ -11,7 +11,8 @@ namespace si {
 class Toolbar {
 public:
     /// Starts a toolbar, a row of widgets in the rest of the current line.
-    /// @param id ImGui id of the menu @param free_right width to leave free at the right end of the line, pixels
+    /// @param id ImGui id of the menu at the toolbar's end, for widgets without room
+    /// @param free_right width to leave free at the right end of the line, pixels
     explicit Toolbar(const char* id, float free_right = 0);
     /// Sets the gap before the next widget, pixels.
     void space(float width) { space_ = width; }

@@ -16,8 +16,9 @@ struct Camera;
 /// light's visibility alone (shading.composition).
 bool adds_no_light(const FittedLight& light, const Settings& settings);
 
-/// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps contain no caster, and
-/// neither bias and kernel nor map.outside can darken a surface. Shaders then skip the look-ups.
+/// Returns true when every look-up in a light's shadow maps must return 1 (lit), so that shaders may skip it. The maps
+/// then contain no caster, points outside them count as lit (map.outside), and bias and kernel cannot make a lit
+/// surface dark.
 bool is_always_lit(const FittedLight& light, const Settings& settings);
 
 /// Places the lights of the settings in the scene, without shadow maps. Intensities of spot and point lights fall with
