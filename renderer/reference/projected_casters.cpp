@@ -8,6 +8,9 @@
 namespace si {
 namespace {
 
+/// Limits of triangles that meet a light, above which rays are faster: all, and those with an alpha test.
+constexpr std::size_t kMostTriangles = 200, kMostMasked = 64;
+
 /// Returns true when face culling removes the face of a triangle that a shadow ray meets.
 /// @param front the ray meets the front face of the triangle from behind: the face's normal points along the ray
 bool is_culled(Cull cull, bool front) {
@@ -97,7 +100,7 @@ bool ProjectedCasters::project(const RayHierarchy& scene, const CasterTree& tree
     sun_ = sun;
     table_.clear();
     hides_all_ = false;
-    has_masks_ = false;
+    masked_ = 0;
     const glm::vec3 along = glm::transpose(shaft.axes) * origin;
     const glm::dmat3 across = glm::transpose(disk.axes);
     const double radius2 = disk.radius * disk.radius;
@@ -143,8 +146,12 @@ bool ProjectedCasters::project(const RayHierarchy& scene, const CasterTree& tree
             out.edges[i] = glm::vec3(edges[i] * (1 / length));
             out.weights[int(i)] = float(length);
         }
+        masked_ += mask != nullptr;
+        if (triangles_.size() == kMostTriangles || masked_ > kMostMasked) {
+            triangles_.clear();
+            return false;
+        }
         triangles_.push_back(out);
-        has_masks_ = has_masks_ || mask;
     }
     return true;
 }
@@ -157,12 +164,13 @@ void ProjectedCasters::hide_places(const SamplePlaces& places) {
             hide_inside(t.edges, places, numbers_.data(), hidden_.data());
             continue;
         }
+        inside_.assign(hidden_.size(), 0);
+        hide_inside(t.edges, places, numbers_.data(), inside_.data());
         for (std::size_t k = 0; k < places.points.size(); ++k) {
-            if (hidden_[k]) continue;
+            if (!inside_[k] || hidden_[k]) continue;
             const glm::vec3 place(places.x[k], places.y[k], 1);
             const glm::vec3 inside(glm::dot(t.edges[0], place), glm::dot(t.edges[1], place),
                                    glm::dot(t.edges[2], place));
-            if (std::min({inside.x, inside.y, inside.z}) < 0) continue;
             const glm::dvec3 weights = glm::dvec3(inside) * glm::dvec3(t.weights);
             const double sum = weights.x + weights.y + weights.z;
             hidden_[k] = sum > 0 && t.mask->is_solid(t.primitive, weights.y / sum, weights.z / sum);
@@ -179,7 +187,7 @@ void ProjectedCasters::find_seen(const LightSamples& samples, std::span<const st
     }
     const std::uint32_t largest = *std::ranges::max_element(points);
     // A table with many more points than are asked for is dear where each takes an alpha test.
-    const bool few = has_masks_ && 2 * points.size() < largest;
+    const bool few = has_masks() && 2 * points.size() < largest;
     if (largest >= table_.size() && largest < std::uint32_t{1} << LightSamples::kSquareDigits && !few)
         fill_table(samples, std::bit_width(largest));
     if (largest < table_.size()) {

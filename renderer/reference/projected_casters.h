@@ -19,7 +19,7 @@ namespace si {
 class ProjectedCasters {
 public:
     /// Projects the casters of a surface point. Returns false if rays have to decide, since a caster reaches into the
-    /// light. The list is then empty.
+    /// light, or since more triangles meet the light than are faster to project. The list is then empty.
     /// @param casters triangles that CasterTree::collect() found in `shaft`
     /// @param origin start of the surface point's shadow rays, which lies in the shaft
     /// @param culls face culling by object, as HitRules::culls
@@ -31,7 +31,7 @@ public:
     /// Returns true if the casters certainly hide the whole light, or no part of it.
     bool hides_all_or_none() const { return hides_all_ || triangles_.empty(); }
     /// Returns true if one of the casters has an alpha test, which makes samples dear.
-    bool has_masks() const { return has_masks_; }
+    bool has_masks() const { return masked_ > 0; }
     /// Finds the states of sample points of the light: lit or dark.
     /// @param samples sample points of the surface point that project() was given
     /// @param points numbers of the sample points
@@ -49,10 +49,11 @@ private:
 
     std::vector<Triangle> triangles_;
     bool hides_all_ = false;  ///< a solid triangle covers the whole light
-    bool has_masks_ = false;
+    std::size_t masked_ = 0;  ///< triangles with an alpha test
     const SunPlaces* sun_ = nullptr;
     SamplePlaces places_;                ///< without `sun_`
     std::vector<std::int32_t> hidden_;   ///< by place: 1 if hidden, else 0
+    std::vector<std::int32_t> inside_;   ///< by place: 1 inside the present triangle, else 0
     std::vector<std::int32_t> numbers_;  ///< working memory for numbers of casters or groups
     std::vector<Seen> table_;            ///< states of the first sample points
 
