@@ -57,4 +57,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    status = main()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # A thread of RenderDoc may still start LLVM here. Destructors that run at the same time wait for it without end.
+    os._exit(status)
