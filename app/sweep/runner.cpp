@@ -129,6 +129,12 @@ void SweepRunner::begin_round() {
     if (all_settled || round_ >= timing_.rounds) order_.clear();
 }
 
+ShadowFrames SweepRunner::times_of_round() const {
+    constexpr int kStillPairs = 10;
+    const bool enough = round_ >= kMinBursts && round_ * std::max(timing_.frames, kLeastFrames) >= kStillPairs;
+    return enough && timing_.cost == CostCase::Light ? ShadowFrames::MovingLight : ShadowFrames::All;
+}
+
 bool SweepRunner::step_timing() {
     if (turn_ >= order_.size()) begin_round();
     if (order_.empty()) return false;
@@ -140,7 +146,7 @@ bool SweepRunner::step_timing() {
     progress_.current = c.id;
     RoundTimes turn{round_, run_, {}};
     const std::string why = why_failed([&] {
-        CaseTimes times = meter_.time(c, timing_.frames, timing_.cost);
+        CaseTimes times = meter_.time(c, timing_.frames, timing_.cost, times_of_round());
         turn.samples = std::move(times.frames);
         turn.shadow = std::move(times.shadow);
     });

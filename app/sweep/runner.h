@@ -20,6 +20,10 @@ struct CaseTimes {
     ShadowSamples shadow = {};
 };
 
+/// Smallest number of pairs of frames, with and without shadows, that one of the first rounds draws: the noise of a
+/// single pair is unknown. Later rounds may draw one, since the noise comes from the differences between rounds.
+inline constexpr int kLeastFrames = 2;
+
 /// Interface through which a sweep measures its cases. The program draws them (RenderedCases); tests use fakes.
 class CaseMeter {
 public:
@@ -31,8 +35,9 @@ public:
     virtual DrawnCase facts(const SweepCase& c) = 0;
     /// Measures the times of one case of a sweep after warm-up frames: of `frames` frames, and of the shadows alone by
     /// as many pairs of frames with and without shadows.
-    /// @param cost kind of frames to time @throws std::exception: the case has failed
-    virtual CaseTimes time(const SweepCase& c, int frames, CostCase cost) = 0;
+    /// @param cost kind of frames to time @param which kinds of frames to draw for the times of the shadows alone
+    /// @throws std::exception: the case has failed
+    virtual CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) = 0;
 };
 
 /// Progress of a sweep: its phase, the steps done, and the estimated seconds left.
@@ -71,6 +76,9 @@ private:
     /// Returns the description of this process for the sweep's journal: machine, driver, clock that times passes, kind
     /// of timed frames.
     RunInfo this_run() const;
+    /// Returns the kinds of frames that the present round draws. Pairs of frames under a still light and with all
+    /// optimisations off are drawn in the first rounds only: the frontier (error over cost) ranks by the moving light.
+    ShadowFrames times_of_round() const;
     /// Writes the description of this process (machine, driver, clock that times passes) to the sweep's journal, unless
     /// it is there already. Called before each result.
     void record_run();

@@ -46,12 +46,11 @@ DrawnCase RenderedCases::facts(const SweepCase& c) {
     return facts;
 }
 
-CaseTimes RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
+CaseTimes RenderedCases::time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) {
     const CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
     CaseTimes times;
-    constexpr int kLeastFrames = 2;  // the noise of one is unknown
-    times.shadow =
-        time_shadow(measurer_, prepared.scene, prepared.settings, std::max(frames, kLeastFrames), cost, &times.frames);
+    const int pairs = which == ShadowFrames::All ? std::max(frames, kLeastFrames) : frames;
+    times.shadow = time_shadow(measurer_, prepared.scene, prepared.settings, pairs, cost, &times.frames, {}, which);
     return times;
 }
 

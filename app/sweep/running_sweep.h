@@ -21,7 +21,7 @@ public:
         : measurer_(measurer), driver_(driver), sessions_(sessions) {}
     RunInfo run() override;
     DrawnCase facts(const SweepCase& c) override;
-    CaseTimes time(const SweepCase& c, int frames, CostCase cost) override;
+    CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) override;
 
 private:
     Measurer& measurer_;

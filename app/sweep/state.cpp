@@ -51,7 +51,9 @@ RoundTimes turn_of(const Json& line) {
         turn.shadow.moving_ms = shadow->at("moving_ms").get<std::vector<double>>();
         turn.shadow.still_ms = shadow->at("still_ms").get<std::vector<double>>();
         turn.shadow.forced_more_ms = shadow->value("forced_more_ms", std::vector<double>());
-        if (turn.shadow.moving_ms.size() != turn.shadow.still_ms.size()) throw Error("unequal numbers of frames");
+        // Later rounds time the moving light alone.
+        const std::size_t still = turn.shadow.still_ms.size();
+        if (still != 0 && still != turn.shadow.moving_ms.size()) throw Error("unequal numbers of frames");
     }
     return turn;
 }

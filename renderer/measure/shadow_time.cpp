@@ -21,6 +21,14 @@ int in_turn(int turn, int place, int count) {
     return turn % 2 == 0 ? place : count - 1 - place;
 }
 
+/// Appends the indices at which the bursts of further values begin. @param before number of values so far
+/// @param first burst starts of the further values; empty: one burst @param count number of further values
+void add_bursts(std::vector<std::size_t>& bursts, std::size_t before, const std::vector<std::size_t>& first,
+                std::size_t count) {
+    if (first.empty() && count > 0) bursts.push_back(before);
+    for (const std::size_t index : first) bursts.push_back(before + index);
+}
+
 int source_without_shadows() {
     const auto rows = sources();
     return int(std::ranges::find(rows, std::string_view("none"), &Source::key) - rows.begin());
@@ -47,9 +55,8 @@ Settings without_shadows(Settings settings) {
 }
 
 void ShadowSamples::add(const ShadowSamples& more) {
-    const std::size_t before = moving_ms.size();
-    if (more.bursts.empty() && !more.moving_ms.empty()) bursts.push_back(before);
-    for (const std::size_t first : more.bursts) bursts.push_back(before + first);
+    add_bursts(bursts, moving_ms.size(), more.bursts, more.moving_ms.size());
+    add_bursts(still_bursts, still_ms.size(), more.still_bursts, more.still_ms.size());
     moving_ms.insert(moving_ms.end(), more.moving_ms.begin(), more.moving_ms.end());
     still_ms.insert(still_ms.end(), more.still_ms.begin(), more.still_ms.end());
     forced_more_ms.insert(forced_more_ms.end(), more.forced_more_ms.begin(), more.forced_more_ms.end());
@@ -81,7 +88,7 @@ double time_ratio(const Spread& time, const Spread& base) {
 
 ShadowTime summarise_shadow(const ShadowSamples& samples) {
     ShadowTime time{.moving_ms = spread_of_differences(samples.moving_ms, samples.bursts),
-                    .still_ms = spread_of_differences(samples.still_ms, samples.bursts)};
+                    .still_ms = spread_of_differences(samples.still_ms, samples.still_bursts)};
     if (samples.forced_more_ms.empty()) return time;
     // Both parts are uncertain: the interval of the sum is the sum of the intervals.
     Spread forced = spread_of_differences(samples.forced_more_ms);
@@ -115,7 +122,7 @@ std::vector<double> differences(const std::vector<double>& a, const std::vector<
 }
 
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
-                          TimeSamples* frames, const std::stop_token& stop) {
+                          TimeSamples* frames, const std::stop_token& stop, ShadowFrames which) {
     const Settings plain = without_shadows(settings);
     // Kinds: 0 with shadows, 1 without, 2 with all optimisations off.
     const auto timed = [&](CostCase moves, int rounds, int second, TimeSamples* add_to) {
@@ -135,6 +142,7 @@ ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings
     };
     if (frames && cost == CostCase::Forced) frames->add(measurer.time(scene, settings, pairs, cost));
     const auto moving = timed(CostCase::Light, pairs, 1, cost == CostCase::Light ? frames : nullptr);
+    if (which == ShadowFrames::MovingLight) return {.moving_ms = differences(moving[0], moving[1])};
     const auto still = timed(CostCase::Camera, pairs, 1, cost == CostCase::Camera ? frames : nullptr);
     const auto forced = timed(CostCase::Light, 1, 2, nullptr);
     ShadowSamples samples{.moving_ms = differences(moving[0], moving[1]),

@@ -36,9 +36,10 @@ Settings without_shadows(Settings settings);
 /// Times of the shadows alone, in milliseconds: frames with shadows minus the same frames without, one value per pair.
 struct ShadowSamples {
     std::vector<double> moving_ms;       ///< the light of view.light moves: maps, preparation and look-ups
-    std::vector<double> still_ms;        ///< the camera moves and maps are cached; as many as `moving_ms`
+    std::vector<double> still_ms;        ///< the camera moves and maps are cached; may be fewer than `moving_ms`
     std::vector<double> forced_more_ms;  ///< additional time of a frame with all optimisations off
-    std::vector<std::size_t> bursts;     ///< index of the first pair of each burst
+    std::vector<std::size_t> bursts;     ///< index into `moving_ms` of the first pair of each burst
+    std::vector<std::size_t> still_bursts = {};  ///< index into `still_ms` of the first pair of each burst
     /// Appends the shadow times of further pairs of frames, one with and one without shadows. Their bursts (runs of
     /// frames without a pause) stay separate.
     void add(const ShadowSamples& more);
@@ -79,11 +80,16 @@ std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::f
 /// Returns the differences a[i] - b[i] of two lists of frame times, one for each round that both lists have.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Times frames with and without shadows: `pairs` pairs with a moving light, then `pairs` pairs with a moving camera.
-/// One further pair compares all optimisations on with all off.
-/// @param frames receives the frames with shadows of the kind `cost`; null: not wanted @throws Error, Cancelled
+/// Kinds of frames that time_shadow() draws: those of all three times of ShadowSamples, or those under a moving light.
+enum class ShadowFrames { All, MovingLight };
+
+/// Times frames with and without shadows: `pairs` pairs with a moving light. With ShadowFrames::All, `pairs` pairs with
+/// a moving camera follow, and one pair that compares all optimisations on with all off.
+/// @param frames receives the frames with shadows of the kind `cost`; null: not wanted
+/// @param which ShadowFrames::MovingLight only if `cost` is CostCase::Light @throws Error, Cancelled
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
-                          TimeSamples* frames, const std::stop_token& stop = {});
+                          TimeSamples* frames, const std::stop_token& stop = {},
+                          ShadowFrames which = ShadowFrames::All);
 
 /// Frame times and shadow times under one of several settings that are measured alternately.
 struct TurnTimes {

@@ -31,7 +31,7 @@ struct PlausibleMeter : FakeMeter {
         m.signed_mean = -texels * 5 / n;
         return f;
     }
-    CaseTimes time(const SweepCase& c, int frames, CostCase) override {
+    CaseTimes time(const SweepCase& c, int frames, CostCase, ShadowFrames) override {
         timed.push_back(c.id);
         const double n = c.settings.map.resolution, ms = 30 + n * n * 4e-6 + 12 * c.settings.filter.kernel;
         TimeSamples s;

@@ -46,7 +46,7 @@ struct FakeMeter : CaseMeter {
         return f;
     }
     /// Returns `frames` made-up times of a sweep case, milliseconds.
-    CaseTimes time(const SweepCase& c, int frames, CostCase) override {
+    CaseTimes time(const SweepCase& c, int frames, CostCase, ShadowFrames) override {
         timed.push_back(c.id);
         TimeSamples s;
         for (int i = 0; i < frames; ++i) {

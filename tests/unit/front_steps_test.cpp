@@ -453,6 +453,20 @@ TEST(ShadowTime, NegativeIntervalsStayNegative) {
     EXPECT_NEAR(s.noise(), 4.303 * 1 / std::sqrt(3.0), 1e-9) << "Student's t of three bursts, 1 ms apart";
 }
 
+TEST(ShadowTime, BurstsUnderAStillLightAreCountedByThemselves) {
+    ShadowSamples samples;
+    samples.add({.moving_ms = {5, 5}, .still_ms = {1, 1}, .forced_more_ms = {2}, .bursts = {}});
+    samples.add({.moving_ms = {6, 6, 6}, .still_ms = {}, .forced_more_ms = {}, .bursts = {}});
+    samples.add({.moving_ms = {7}, .still_ms = {3}, .forced_more_ms = {}, .bursts = {}});
+    EXPECT_EQ(samples.bursts, (std::vector<std::size_t>{0, 2, 5}));
+    EXPECT_EQ(samples.still_bursts, (std::vector<std::size_t>{0, 2}));
+    const ShadowTime time = summarise_shadow(samples);
+    EXPECT_EQ(time.moving_ms.bursts, 3);
+    EXPECT_EQ(time.still_ms.bursts, 2);
+    EXPECT_DOUBLE_EQ(time.still_ms.median, 1);
+    EXPECT_NEAR(time.still_ms.noise(), 12.706, 1e-9) << "Student's t of two bursts, 2 ms apart";
+}
+
 TEST(ShadowTime, SettlesByItsShareOrTheFrames) {
     ShadowSamples samples;
     for (int burst = 0; burst < 3; ++burst)

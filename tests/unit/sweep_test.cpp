@@ -58,7 +58,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
 TEST(Sweep, RoundsEndWhenAllTimesAreStable) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
-        CaseTimes time(const SweepCase& c, int frames, CostCase) override {
+        CaseTimes time(const SweepCase& c, int frames, CostCase, ShadowFrames) override {
             drift = 1;
             timed.push_back(c.id);
             return {{std::vector<double>(std::size_t(frames), 7),
@@ -724,8 +724,8 @@ TEST(Sweep, JournalsWithoutFrameKindCountAsForced) {
 
 /// Meter whose shadows take 1 ms per 256 texels, a quarter of it under a still light, with noise of 2 %.
 struct ShadowMeter : FakeMeter {
-    CaseTimes time(const SweepCase& c, int frames, CostCase cost) override {
-        CaseTimes times = FakeMeter::time(c, frames, cost);
+    CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) override {
+        CaseTimes times = FakeMeter::time(c, frames, cost, which);
         for (int i = 0; i < frames; ++i) {
             const double ms = c.settings.map.resolution / 256.0 * (1 + 0.02 * (i % 3 - 1));
             times.shadow.moving_ms.push_back(ms);
@@ -763,6 +763,37 @@ TEST(Sweep, ShadowTimesAndTheBaseSurviveTheJournal) {
     }
 }
 
+TEST(Sweep, LaterRoundsTimeTheMovingLightAlone) {
+    struct : ShadowMeter {
+        std::map<std::string, std::vector<ShadowFrames>> which_of;
+        CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) override {
+            which_of[c.id].push_back(which);
+            CaseTimes times = ShadowMeter::time(c, frames, cost, which);
+            if (which == ShadowFrames::MovingLight) times.shadow.still_ms = times.shadow.forced_more_ms = {};
+            return times;
+        }
+    } meter;
+    // Frame times drift, so that no round is the last before the limit.
+    const auto all_of = [&](const SweepTiming& timing) {
+        const FakeSweep f(fresh_test_folder());
+        meter.which_of.clear();
+        f.run(meter, 10'000, timing);
+        const ShadowTime shadow = f.measured().rows.at(0).numbers.shadow.value();
+        EXPECT_EQ(shadow.moving_ms.samples, timing.rounds * timing.frames);
+        const auto& which = meter.which_of.begin()->second;
+        EXPECT_EQ(which.size(), std::size_t(timing.rounds));
+        const auto all = std::ranges::count(which, ShadowFrames::All);
+        EXPECT_EQ(std::ranges::find(which, ShadowFrames::MovingLight) - which.begin(), all) << "the first rounds";
+        EXPECT_EQ(shadow.still_ms.samples, all * timing.frames);
+        EXPECT_EQ(shadow.still_ms.bursts, all);
+        return all;
+    };
+    EXPECT_EQ(all_of({.rounds = 12, .frames = 3}), 4) << "10 pairs, in whole rounds";
+    EXPECT_EQ(all_of({.rounds = 12, .frames = 1}), 5) << "the first rounds draw two pairs";
+    EXPECT_EQ(all_of({.rounds = 6, .frames = 20}), 3) << "noise needs three rounds";
+    EXPECT_EQ(all_of({.cost = CostCase::Camera, .rounds = 12, .frames = 3}), 12) << "the still light is ranked";
+}
+
 TEST(Sweep, BaseOutsideTheCasesIsTimedInTheSameRounds) {
     FakeSweep f(fresh_test_folder());
     f.axes = {parse_axis("map.resolution=256,512"), parse_axis("filter.kernel=pcf3")};
@@ -795,8 +826,8 @@ TEST(Sweep, BaseOutsideTheCasesIsTimedInTheSameRounds) {
 TEST(Sweep, TimesBelowTheirNoiseAreBoundsWithoutARatio) {
     const FakeSweep f(fresh_test_folder());
     struct : ShadowMeter {
-        CaseTimes time(const SweepCase& c, int frames, CostCase cost) override {
-            CaseTimes times = ShadowMeter::time(c, frames, cost);
+        CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) override {
+            CaseTimes times = ShadowMeter::time(c, frames, cost, which);
             if (c.settings.map.resolution == 256)
                 for (std::size_t i = 0; i < times.shadow.moving_ms.size(); ++i)
                     times.shadow.moving_ms[i] = i % 2 ? -0.75 : 0.5;
