@@ -58,7 +58,7 @@ void interval_of_a_frame(benchmark::State& state) {
     frames.warm_up();
     TimeSamples quiet, busy;
     for (auto _ : state) {
-        const int rounds = bench_rounds(10);
+        const int rounds = bench_rounds(40);
         for (int round = 0; round < rounds; ++round)
             for (const bool loaded : {round % 2 != 0, round % 2 == 0}) {
                 const BusyProcesses beside(loaded ? kBusyProcesses : 0);
