@@ -211,6 +211,8 @@ std::string why_no_better(const ErrorMetrics& before, const ErrorMetrics& with, 
 /// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
 std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
     if (std::string why = why_no_better(before, t.metrics, t.pixel, t.before.noise); !why.empty()) return why;
+    if (takes_too_many_bytes(t.before.work.map_bytes, t.after.work.map_bytes))
+        return fmt::format("maps take more than twice the bytes ({})", map_bytes_text(t.map_bytes()));
     const auto pixels = [&](double share) { return std::llround(share * std::max<double>(double(before.counted), 1)); };
     if (rises(before.any_acne, t.metrics.any_acne, 0))
         return fmt::format("pixels with any acne rise from {} to {}", pixels(before.any_acne),
@@ -220,8 +222,6 @@ std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
                            pixels(t.metrics.any_leak));
     const auto same_source = [&](const auto& change) { return !change.first.ends_with(".source"); };
     if (!std::ranges::all_of(t.changes, same_source)) return "light.source would change";
-    if (takes_too_many_bytes(t.before.work.map_bytes, t.after.work.map_bytes))
-        return fmt::format("maps take more than twice the bytes ({})", map_bytes_text(t.map_bytes()));
     return {};
 }
 
@@ -250,12 +250,16 @@ public:
         }
         insert(std::move(t));
     }
+    /// Returns the bytes of the maps that a change would draw. 0: unknown.
+    std::uint64_t map_bytes(const Candidate& c) const {
+        // Imported maps stay as they are: try_candidate() refuses changes that need others.
+        const bool drawn = meter_.map_bytes && c.untried.empty() && c.settings.map.bundle.empty();
+        return drawn ? meter_.map_bytes(c.settings) : 0;
+    }
     /// Returns the reason why a change is not drawn: its maps are far too large for a fix; or they are too large, and a
     /// fix with smaller ones puts most wrong pixels right. Empty: it is drawn.
-    std::string why_too_large(const Candidate& c, std::uint64_t bytes) const {
-        // Imported maps stay as they are: try_candidate() refuses changes that need others.
-        if (!meter_.map_bytes || !c.settings.map.bundle.empty()) return {};
-        const std::uint64_t with = meter_.map_bytes(c.settings);
+    /// @param bytes, with bytes of the present maps, and of the change's
+    std::string why_too_large(std::uint64_t bytes, std::uint64_t with) const {
         if (!takes_too_many_bytes(bytes, with)) return {};
         const std::string more = map_bytes_text((long long)with - (long long)bytes);
         if (takes_too_many_bytes(bytes, with, kMostDrawnBytes))
@@ -518,14 +522,18 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
         pixel = std::size_t(options.pixel->y) * std::size_t(before.frame->traced.reference->width) +
                 std::size_t(options.pixel->x);
     }
+    bool too_large = false;  // the present trial's maps are too large for a fix
     const NeedsCauses needs_causes = [&](const MeasuredError& compared) {
+        if (too_large) return false;
         const std::optional<PixelTrial> watched = pixel ? std::optional(pixel_trial(compared, *pixel)) : std::nullopt;
         return why_no_better(error, compared.metrics, watched, before.noise).empty();
     };
     std::optional<OwnMap> own_map;
     std::size_t tried = 0;
     table.stopped = !try_each(std::move(list), report, [&](Candidate& c) {
-        if (c.untried.empty()) c.untried = search.why_too_large(c, before.work.map_bytes);
+        const std::uint64_t bytes = search.map_bytes(c);
+        too_large = takes_too_many_bytes(before.work.map_bytes, bytes);
+        if (c.untried.empty()) c.untried = search.why_too_large(before.work.map_bytes, bytes);
         Trial t = try_candidate(base, before, c, meter, pixel, needs_causes);
         if (own && t.candidate.untried == kNeedsAnotherMap) {
             if (!own_map) own_map = own();
