@@ -1,5 +1,8 @@
 #include "renderer/base/large_pages.h"
 
+#include <algorithm>
+#include <bit>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <new>
@@ -38,13 +41,20 @@ std::string_view memory_pages() {
 
 namespace {
 
-void* allocate_block(std::size_t bytes) {
-    constexpr std::size_t kLargePage = std::size_t{2} << 20;
-    if (bytes < kLargePage) return std::malloc(bytes == 0 ? 1 : bytes);
-    void* block = std::aligned_alloc(kLargePage, bytes);
+constexpr std::size_t kLargePage = std::size_t{2} << 20;
+
+/// Allocates at least one large page, and asks the system for large pages. Returns null if memory lacks.
+/// @param alignment bytes, a power of two
+void* allocate_large(std::size_t alignment, std::size_t bytes) {
+    void* block = std::aligned_alloc(std::max(alignment, kLargePage), bytes);
     // A request: without large pages all is well but slower.
     if (block) ::madvise(block, bytes, MADV_HUGEPAGE);
     return block;
+}
+
+void* allocate_block(std::size_t bytes) {
+    if (bytes < kLargePage) return std::malloc(bytes == 0 ? 1 : bytes);
+    return allocate_large(kLargePage, bytes);
 }
 
 }  // namespace
@@ -56,6 +66,15 @@ void* operator new(std::size_t bytes) {
         if (!handler) throw std::bad_alloc();
         handler();
     }
+}
+
+// llvmpipe allocates textures by this function and clears them, which touches every page.
+extern "C" int posix_memalign(void** block, std::size_t alignment, std::size_t bytes) noexcept {
+    if (alignment % sizeof(void*) != 0 || !std::has_single_bit(alignment)) return EINVAL;
+    void* made = bytes < kLargePage ? std::aligned_alloc(alignment, bytes) : allocate_large(alignment, bytes);
+    if (!made) return ENOMEM;
+    *block = made;
+    return 0;
 }
 
 void operator delete(void* block) noexcept {

@@ -1,5 +1,6 @@
-// Large pages of memory. The program's operator new asks the system for them where an allocation is large, so that the
-// arrays of scenes and pictures are written sooner: a small page may take longer to be handed out than to be filled.
+// Large pages of memory. The program's operator new and posix_memalign() ask the system for them where an allocation is
+// large: a small page may take longer to be handed out than to be filled. Arrays of scenes and pictures come from
+// operator new. Textures of llvmpipe come from posix_memalign().
 #pragma once
 
 #include <string_view>
