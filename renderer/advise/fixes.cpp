@@ -584,9 +584,9 @@ FixTable find_fixes(const SearchTools& whole, const Settings& settings, const Fi
         table.refused = refused;
         return table;
     };
-    const auto show = [&](const FixTable& table) {
-        if (shown) shown(with_refused(table));
-    };
+    // Empty if nobody sees the table: the search then times no fix before its end.
+    std::function<void(const FixTable&)> show;
+    if (shown) show = [&](const FixTable& table) { shown(with_refused(table)); };
     return with_refused(search_fixes(base, before, std::move(list), meter, options, tools.report, show, enough, own));
 }
 
