@@ -114,8 +114,8 @@ void run_precision(const PrecisionOptions& options);
 /// setting: scene.distance, scene.scale or light.stretch.
 std::vector<std::string_view> precision_series();
 
-/// Options of the command `shimmer`, which measures shimmering edges. `output` is a picture with the share of steps in
-/// which each pixel flips: .png, .pfm or .exr.
+/// Options of the command `shimmer`, which measures shimmering edges. `output` is a picture file (.png, .pfm or .exr)
+/// with the share of steps in which each pixel flips.
 struct ShimmerCommandOptions : CommandOptions {
     ShimmerOptions shimmer;
 };
@@ -154,8 +154,8 @@ struct AdviseOptions : CommandOptions, SearchLimits {
 /// limit of error or time the autopilot searches the best settings instead.
 void run_advise(const AdviseOptions& options);
 
-/// Options of the command `probe`, which explains the shadow test of one pixel. `output` is a drawing of the shadow
-/// test's cross-section (cut along the light ray) for the light that view.light selects, .svg.
+/// Options of the command `probe`, which explains the shadow test of one pixel. `output` is an .svg file: a drawing of
+/// the shadow test in a cross-section along the ray of the light that view.light selects.
 struct ProbeOptions : CommandOptions {
     std::string pixel;      ///< "X,Y" from the top left
     bool reference = true;  ///< trace rays, for a verdict and fixes
@@ -207,8 +207,8 @@ void run_preset_show(const PresetOptions& options);
 void run_preset_diff(const PresetOptions& options);
 /// Runs the command `preset save`: writes the settings given on the command line as a preset file.
 void run_preset_save(const PresetOptions& options);
-/// Options of the command `compare-pictures`, which measures the visible difference of two pictures. `output` is a heat
-/// map of the difference, .png.
+/// Options of the command `compare-pictures`, which measures the visible difference of two pictures. `output` is a .png
+/// file with a heat map of the difference.
 struct ComparePicturesOptions : CommandOptions {
     std::string picture, other_picture;               ///< PNG files of equal size
     double pixels_per_degree = kFlipPixelsPerDegree;  ///< of visual angle
@@ -218,7 +218,7 @@ struct ComparePicturesOptions : CommandOptions {
 void run_compare_pictures(const ComparePicturesOptions& options);
 
 /// Options of the command `compare-maps`, which compares shadow maps of another engine with maps that this program
-/// draws. `output` is a picture of the differences, .png.
+/// draws. `output` is a .png file with a picture of the differences.
 struct CompareMapsOptions : CommandOptions {
     std::optional<int> light;       ///< index of the light in the settings light.*; none: all lights with imported maps
     int border_texels = 0;          ///< MapCompareOptions::border_texels

@@ -37,9 +37,10 @@ struct ConversionInput {
     std::string preset, title, scene;  ///< empty texts: none
     Settings settings;
     LookupFacts lookup;
-    MapFacts facts;                  ///< of the light's first map
-    std::string facts_source;        ///< origin of map width W and depth range D, a clause
-    std::string angle_source;        ///< origin of the reference angle, a clause
+    MapFacts facts;  ///< of the light's first map
+    /// Origin of map width W and depth range D, for the comment in the code: "as the scene's map is fitted".
+    std::string facts_source;
+    std::string angle_source;        ///< origin of the reference angle, for the same comment: angle_source()
     std::vector<ConvertedMap> maps;  ///< by view; empty: no scene
     std::optional<ConvertedMeasure> measure;
     bool operator==(const ConversionInput&) const = default;
@@ -56,7 +57,7 @@ struct Conversion {
 /// Estimates width W and depth range D of a shadow map, metres, from settings alone, for conversions without a scene.
 /// The setting view.light selects the light. W comes from light.extent, and D from light.near and light.far, if they
 /// are set by hand. Otherwise W and D have the defaults of MapFacts.
-/// @param[out] source origin of W and D, a clause
+/// @param[out] source origin of W and D, for the comment in the code: "by light.extent, light.near and light.far"
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
 /// Lists width, depth range and texels of all shadow maps of a light, for the comment at the head of converted code.
 /// @param size texels of each map

@@ -27,8 +27,8 @@ struct MeasuredConversion {
 MeasuredConversion measure_conversion(const SearchTools& tools, const Settings& settings, const std::string& scene_name,
                                       std::optional<CostCase> timed);
 
-/// Returns a clause on the origin of the reference angle between normal and light (MeasuredConversion::angle_deg), for
-/// the comment at the head of converted code.
+/// Returns the origin of the reference angle between normal and light (MeasuredConversion::angle_deg), for the comment
+/// at the head of converted code: "95 % of the scene's lit pixels are tilted less".
 std::string angle_source(const MeasuredConversion& measured);
 
 }  // namespace si

@@ -63,8 +63,8 @@ private:
     /// Starts to list the shadow maps of a capture, or the possible depth conventions of a map's image, in the
     /// background. The user then chooses among them. @throws Error
     void start_reading();
-    /// Starts to write a bundle from the maps of a capture, or the depth convention of an image, that the user has
-    /// chosen. @throws Error
+    /// Starts to write a bundle. It holds those maps of a capture that the user has chosen, or a map's image read by
+    /// the chosen depth convention. @throws Error
     void start_writing();
     /// Runs a step of the import on a thread of its own. @param doing text beside the progress bar @param work the
     /// function to run

@@ -13,8 +13,8 @@
 
 namespace si {
 
-/// Result of comparing an imported shadow map with the map that this program draws: numbers, picture and error. Copied
-/// from the thread that compared the maps.
+/// Result of comparing an imported shadow map with the map that this program draws: both maps with their differences as
+/// numbers, a picture, and the message if the comparison failed.
 struct MapComparisonFacts {
     std::shared_ptr<const ComparedMap> map;
     Image picture;

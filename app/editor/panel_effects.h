@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Lists the work of all panels, such as read-backs, as rows of the panel Effects (list of work with its state). Work
-/// that a panel needs now is marked as drawn, other work as not needed, each with a reason.
+/// Lists the work of all panels, such as read-backs, as rows of the panel Effects (list of work with its state). A row
+/// has the state *drawn* if a shown panel needs the work now, else *not needed*. Each row has a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
 /// Makes the row of the panel Effects that shows the search for clusters of wrong pixels. The panel lists the work of a

@@ -10,8 +10,9 @@
 
 namespace si {
 
-/// Returns true if two frame requests have the same picture size, camera for fitting maps, look of the scene,
-/// ray-traced references and light maps. If not, the picture must be drawn again.
+/// Returns true if two frame requests have the same picture size, camera for fitting maps, ray-traced references and
+/// light maps. FrameRequest::with_look, which turns view.look on, must be equal too. If not, the picture must be drawn
+/// again.
 bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 
 /// Comparison of the shown frame with its ray-traced reference, or with the frame under other settings. Draws the other

@@ -90,8 +90,8 @@ public:
     const SceneLoading& loading() const { return loading_; }
     /// Returns true if a step of undo or redo, which belongs to another scene, waits for show_undo_step().
     bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
-    /// Shows a step of undo or redo that belongs to another scene, or to the scene as read with another scene.index,
-    /// scene.up or scene.unit. Loads the scene first unless it is shown already.
+    /// Shows a step of undo or redo that belongs to another scene than the shown one. The same file, read with another
+    /// scene.index, scene.up or scene.unit, is another scene too. Loads the scene first unless it is shown already.
     void show_undo_step();
     /// Returns true if the shown scene does not match its settings: scene.* (scene of the file, time, placement) or
     /// those of objects. follow_scene_settings() then updates the scene.

@@ -78,11 +78,12 @@ struct CheckBaseline {
     CheckedNumbers numbers;
 };
 
-/// Converts the shadow errors of a picture to the JSON of a baseline file, which limits later runs of `check`.
+/// Converts the shadow errors of a picture to the JSON of a baseline file. A later run of `check` with this file fails
+/// if its errors are larger than those in the file.
 /// @param scene name of the scene, for people @param noise noise of the ray-traced reference
 nlohmann::ordered_json check_baseline_json(const std::string& scene, const CheckedPicture& picture,
                                            const ErrorMetrics& error, double noise);
-/// Parses a baseline file, which limits the shadow errors of a later run of `check`.
+/// Parses a baseline file: shadow errors of an earlier run, which a later run of `check` may not exceed.
 /// @param file name of the file, for messages @param metric metric of CheckedNumbers::error
 /// @throws Error "FILE: what is wrong; what to do"
 CheckBaseline parse_check_baseline(std::string_view text, const std::string& file, const Metric& metric);

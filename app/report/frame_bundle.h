@@ -19,11 +19,12 @@ enum class MapFile {
 /// that the program adds (add_ground()).
 Scene written_scene(const Scene& shown);
 
-/// Draws a frame and returns the files of its bundle: scene, camera, shadow maps with their matrices, look-up, picture
-/// and settings. The program can read the bundle back as the same frame.
+/// Draws a frame and returns the files of its bundle: scene, camera, picture, settings, and the lights' shadow maps.
+/// Each map comes with its matrix, and each light with its shadow look-up (bias, kernel, comparison). The program can
+/// read the bundle back as the same frame.
 /// @param shown scene as drawn; written_scene() of it goes into the bundle @param maps file format of the shadow maps
-/// @throws Error if no light has a shadow map, for virtual maps, and for cascades that are chosen by depth along
-/// another camera than the picture's (FrameRequest::map_camera)
+/// @throws Error if no light has a shadow map, for virtual maps, and for cascades that are chosen by the depth seen
+/// from FrameRequest::map_camera, if it is another camera than the picture's
 BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
                             MapFile maps = MapFile::Pfm);
 

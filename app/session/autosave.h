@@ -39,9 +39,9 @@ public:
     /// The next update() writes it, and only then removes the crashed editor's file. Looks for the next such file.
     void adopt_lost();
 
-    /// Writes scene and settings to the autosave file if they have changed since the last write; before the first
-    /// write, since the editor opened. Writes at most every kSeconds. Call every frame. Never throws: errors go to
-    /// take_remarks().
+    /// Writes scene and settings to the autosave file if they differ from those of the last write. Before the first
+    /// write they are compared with those of the first call, when the editor opened. Writes at most every kSeconds.
+    /// Call every frame. Never throws: errors go to take_remarks().
     /// @param now_s time of a steady clock, seconds
     void update(const std::string& scene, const Settings& settings, double now_s);
     /// Ends autosave when the editor closes.

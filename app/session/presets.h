@@ -41,8 +41,8 @@ struct BuiltinPreset {
 /// lecture.
 std::vector<BuiltinPreset> builtin_presets();
 /// Lists presets for the hard cases (situations in which shadow maps break, renderer/scenes/hard_cases.h). Every case
-/// has a preset with its fix. A case whose fault a setting can show has a preset with the fault, too. load_preset()
-/// accepts their keys.
+/// has a preset with its fix. If some settings bring the fault back, the case has a second preset that shows the fault.
+/// load_preset() accepts their keys.
 std::vector<BuiltinPreset> hard_case_presets();
 
 }  // namespace si

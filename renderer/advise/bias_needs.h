@@ -70,7 +70,8 @@ private:
 /// acne have enough bias. Uses an even sample of the pixels that bias_needs() considers. Amounts are in texels where
 /// bias.unit applies, and end at the limits of the settings. Kinds that compute the needed bias per pixel get no
 /// amounts. Normal offset and polygon offset, which act beside bias.kind, get bias.kind=constant.
-/// @return none when the light draws no map, or when pixels need bias but no amount of the row gives them any
+/// @return none when the light draws no map, or when some pixels need bias and the kind adds bias at no pixel, whatever
+/// its amount
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);
 

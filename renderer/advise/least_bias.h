@@ -63,8 +63,8 @@ struct BiasStart {
 };
 /// Computes for each kind of bias (row of the bias table) the least amounts by theory, from which a search starts.
 /// Empty when no pixel is lit within the map. Kinds that compute the needed bias per pixel, and add bias.constant, get
-/// a constant of a quarter of a texel. Leaves out a kind if pixels need bias but no amount of the kind gives them any.
-/// Leaves out polygon offset if the light's maps are imported.
+/// a constant of a quarter of a texel. Leaves out a kind that adds bias at no pixel, whatever its amount, if some
+/// pixels need bias. Leaves out polygon offset if the light's maps are imported.
 std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// Bias settings that a search for the least bias tried, with the error of their frame.

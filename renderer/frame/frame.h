@@ -181,8 +181,8 @@ struct LightMapNeed {
 /// Record of the images that a frame left in the renderer, with their cache keys. A later frame may overwrite the
 /// images: Renderer::has_images_of() compares the keys.
 struct FrameContents {
-    /// Image of a frame's result with its cache key after that frame. Renderer::has_images_of() compares this key with
-    /// the image's current key.
+    /// One result of the frame: its image in the renderer, and the cache key that the image had when the frame ended.
+    /// Renderer::has_images_of() compares this key with the image's current key.
     struct Part {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer

@@ -20,8 +20,9 @@ public:
     std::size_t count(int accessor) const;
     /// Returns the number of components of an element of a glTF accessor, such as 3 for VEC3.
     int width(int accessor) const;
-    /// Loads the buffer of a glTF accessor, after which its bytes bound count(). Call before memory is allocated by
-    /// count(). @throws Error when the buffer cannot be loaded or is shorter than the file states
+    /// Loads the buffer of a glTF accessor, if it has one. count() is then known to be at most the number of elements
+    /// that the buffer's bytes hold. Call before memory for count() elements is allocated. @throws Error when the
+    /// buffer cannot be loaded or is shorter than the file states
     void load_data(int accessor);
 
     /// Reads a glTF accessor as elements of N floats. Normalised integers are mapped to [0,1] or [-1,1], others keep

@@ -20,8 +20,8 @@ struct SweepAxis {
 };
 
 /// Parses an axis of a sweep from the command-line option --vary. The form is "KEY=V1,V2,..." or "KEY=from:to:step",
-/// with both ends included. A step "*factor" makes a geometric series. "KEY=*" lists all choices of a setting, or the
-/// choices in Param::swept.
+/// with both ends included. A step "*factor" makes a geometric series. "KEY=*" stands for the values in Param::swept if
+/// the setting has them, else for all its choices. A setting that is on or off has the values false and true.
 /// @throws UsageError naming key, value and the allowed form
 SweepAxis parse_axis(std::string_view text);
 
@@ -55,7 +55,7 @@ inline constexpr std::size_t kMaxSweepCases = 100'000;
 /// Computes the cases of a sweep: the cross product of the axes, applied to base settings. Cases that differ only in
 /// settings without effect are merged into the first of them. With an axis over scene.*, only cases with equal settings
 /// are merged, since each scene suggests settings of its own. A case with another bias.kind than the base also gets the
-/// starting values of that kind, except for settings that an axis varies or SweepAxis::held names.
+/// starting values of that kind, except for settings that are varied by an axis or listed in SweepAxis::held.
 /// @throws UsageError when two axes vary one setting, or a value of one axis implies a setting that another axis
 /// varies; or when there are more than kMaxSweepCases
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);

@@ -60,7 +60,7 @@ PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Sett
 /// thread, to compute the metrics.
 /// @param frame drawn with `picture`, and with Outputs::classified or Outputs::compared
 /// @param picture the reference of the frame
-/// @param settings settings of the frame, whose view.light is classified
+/// @param settings settings of the frame; view.light selects the light whose shadow errors are read
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      const Settings& settings);
 /// Finds light in the umbra by rays (ClassifiedPixel::any_leak), and computes MeasuredError::metrics from the

@@ -45,7 +45,8 @@ struct ShadowSamples {
     void add(const ShadowSamples& more);
 };
 
-/// Time of the shadows alone under one set of settings: statistics over pairs of frames, milliseconds.
+/// Time of the shadows alone under one set of settings: statistics over pairs of frames, one with and one without
+/// shadows. In milliseconds.
 struct ShadowTime {
     Spread moving_ms;                                           ///< shadow time while the light moves
     Spread still_ms;                                            ///< shadow time while only the camera moves
@@ -100,7 +101,8 @@ struct TurnTimes {
 /// Measures the shadow times of several settings alternately, one burst of frames at a time. Ends when all times have
 /// settled (shadow_settled()) or after 8 turns. Every other turn has the reversed order.
 /// @param count number of settings
-/// @param burst a function that measures one burst under the settings with an index, and appends its times
+/// @param burst a function burst(i, times) that measures one burst under the settings number i, 0 to count - 1, and
+/// appends the measured times to `times`
 std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst);
 
 /// Number of pairs of frames, with and without shadows, in one burst (run without a pause) of measure_shadow_time().

@@ -21,18 +21,18 @@ struct TexelRegion {
 /// @param size texels of the map
 TexelRegion slab_region(const ViewSettings& view, MapSize size);
 
-/// Quad in the scene that shows one shadow map texel, at its stored depth or at the depth that compares equal with
-/// bias.
+/// Quad in the scene that shows one shadow map texel. The quad lies at the stored depth, or where the biased depth of a
+/// fragment equals the stored depth (compared_distance()).
 struct TexelSlab {
     glm::ivec2 texel{0};
     bool biased = false;
     std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
 };
 
-/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a shadow map texel under
-/// bias.constant. Used for the quads that show texels in the scene (view.slabs). A fragment at this distance has the
-/// stored depth once the bias has shifted it towards the light. With z0 the stored distance and c the constant, the
-/// distance is, by the bias's unit:
+/// Returns the distance along the light's axis, metres, at which a fragment's depth, after the shift by bias.constant,
+/// equals the depth stored in a shadow map texel. Used for the quads that show texels in the scene (view.slabs). A
+/// fragment at this distance has the stored depth once the bias has shifted it towards the light. With z0 the stored
+/// distance and c the constant, the distance is, by the bias's unit:
 ///   depth:  distance(stored + c), under reversed depth distance(stored - c)
 ///   metres: z0 + c
 ///   texels: z0 + c t, with t the size of a texel at z0; in perspective z0 / (1 - c t / z0), as texels grow with z
@@ -43,8 +43,8 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
                                         const glm::dvec2& uv);
 
 /// Returns quads in the scene that show the texels of a rectangle of a shadow map (view.slabs). A quad lies at the
-/// stored depth, or at the depth that compares equal to it under the bias (compared_distance()). Texels that hold the
-/// far plane have no quad.
+/// stored depth, or where the biased depth of a fragment equals the stored depth (compared_distance()). Texels that
+/// hold the far plane have no quad.
 /// @param size texels of the map
 /// @param region the rectangle of texels
 /// @param depths one channel, the region's stored depths, bottom row first

@@ -73,7 +73,7 @@ struct EngineParameter {
     bool holds_for_double_sided = false;
 };
 
-/// Setting that an engine profile fixes at a value, because the engine cannot turn the feature off.
+/// Setting that has one fixed value under an engine profile, because the engine cannot turn the feature off.
 struct ForcedSetting {
     std::string_view key, value;
     std::string_view reason;
@@ -166,9 +166,10 @@ struct EngineProfile {
 
 /// Returns the profiles of all known engines and graphics APIs.
 std::span<const EngineProfile> engine_profiles();
-/// Returns the engine profile with a name. @throws UsageError with the nearest name and all names
+/// Finds an engine profile by its name. @throws UsageError with the nearest name and all names
 const EngineProfile& engine_profile(std::string_view name);
-/// Returns the parameter of an engine with a key, ignoring case. @throws UsageError with the nearest key and all keys
+/// Finds a parameter of an engine by the parameter's key, ignoring case. @throws UsageError with the nearest key and
+/// all keys
 const EngineParameter& engine_parameter(const EngineProfile& profile, std::string_view key);
 /// Returns the value of an engine's parameter: that in `values`, or else its default. @throws Error for an unknown key
 double engine_value(const EngineProfile& profile, const EngineValues& values, std::string_view key);
@@ -193,19 +194,19 @@ std::vector<ConvertedSetting> read_engine_values(const EngineProfile& profile, c
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
                                   const EngineValues& kept = {});
 
-/// Changes settings to those that an engine fixes and cannot turn off. Returns a line for people about each changed
-/// setting that was not at its default.
+/// Applies EngineProfile::forced to the settings. These are settings for which the engine has one value only, which its
+/// users cannot change. Returns a line for people about each changed setting that was not at its default.
 std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings);
-/// Returns the fixed value of a setting that an engine cannot turn off, with the reason; null if the setting is free.
+/// Returns the only value that an engine has for a setting, with the reason; null if the engine has a choice of values.
 /// @param key setting key without a light's index
 const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
 /// Returns true when an engine has a kind of bias. @param key key of a row of the bias table, such as "normal-offset"
 bool has_bias_row(const EngineProfile& profile, std::string_view key);
-/// Returns bias settings with the bias that the engine adds by itself and cannot turn off. Sets the bias settings that
-/// the engine fixes, and raises the constant to at least EngineProfile::hidden_depth.
+/// Returns bias settings with the bias that the engine adds by itself and cannot turn off. Sets the bias settings for
+/// which the engine has one value only, and raises the constant to at least EngineProfile::hidden_depth.
 BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias, const MapFacts& facts);
-/// Returns the reason why an engine cannot draw a change of settings: it fixes or lacks a setting, or has no such
-/// kernel or bias. Empty: it can draw the change.
+/// Returns the reason why an engine cannot draw a change of settings. The engine has another value only
+/// (EngineProfile::forced), or lacks the setting, the kernel or the kind of bias. Empty: it can draw the change.
 /// @param before present settings
 /// @param with changed settings
 std::string reason_engine_lacks(const EngineProfile& profile, const Settings& before, const Settings& with);

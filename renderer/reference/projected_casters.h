@@ -59,7 +59,7 @@ private:
 
     /// Finds the states of the first 2^digits sample points, for the table.
     void fill_table(const LightSamples& samples, int digits);
-    /// Finds the places that triangles hide, hidden_.
+    /// Finds the places that the triangles hide, and writes them to `hidden_`.
     void hide_places(const SamplePlaces& places);
 };
 

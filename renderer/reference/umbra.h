@@ -9,10 +9,11 @@
 
 namespace si {
 
-/// Finds the pixels whose surroundings, as far as a shadow kernel reads, lie in full shadow (umbra). Light at these
-/// pixels is a leak. The reference must be 0 at the pixel, and at 8 points around it on the plane of its surface: the
-/// corners and side centres of a square that extends `reach_texels` to each side along the axes of the light's map.
-/// The coarser of two blended maps counts. Traces rays for the points, and caches results in TracedReference::umbra.
+/// Finds the pixels in the umbra: the pixel and the surface around it, out to the kernel's reach, lie in full shadow.
+/// Light at these pixels is a leak. The reference must be 0 at the pixel, and at 8 points around it on the plane of its
+/// surface: the corners and side centres of a square that extends `reach_texels` to each side along the axes of the
+/// light's map. The coarser of two blended maps counts. Traces rays for the points, and caches results in
+/// TracedReference::umbra.
 /// @param light the light of the frame; without map views only the pixel itself is tested
 /// @param size texels of the light's maps
 /// @param reach_texels distance that the kernel reads from its centre

@@ -49,7 +49,8 @@ struct RendererImpl {
     /// @throws Error when the context lacks OpenGL 4.5
     RendererImpl();
     /// Halves the limit on the map resolution after the driver ran out of memory. Returns true when drawing the frame
-    /// again may succeed. Removes the limit and returns false when the maps are given or already too small to matter.
+    /// again may succeed. Removes the limit and returns false when smaller maps would not help: no map is drawn,
+    /// imported maps fix the size, or the maps are so small already that they need little memory.
     /// @param f frame that failed
     /// @param why message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);

@@ -41,8 +41,8 @@ int configured_light_count(std::span<const SettingValue> values);
 
 /// Returns the default settings of a version of the program. A file of that version is applied on top of them, since
 /// the file holds only settings that differ from its defaults.
-/// @param lights number of lights that get the defaults of this version (configured_light_count()); further lights get
-/// the present defaults
+/// @param lights number of lights that get the defaults of `version` (configured_light_count()); further lights get the
+/// defaults of the running program
 Settings defaults_of_version(int version, int lights = kMaxLights);
 
 }  // namespace si

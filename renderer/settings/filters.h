@@ -106,12 +106,12 @@ struct Filter {
     bool square() const { return reach == square_reach; }
     /// Returns the data that the kernel reads from the map: depths or moments.
     Samples samples() const { return moments.names.empty() ? Samples::Depth : Samples::Moments; }
-    /// Returns the reach of a kernel that is a fixed square of taps, in texels. Value of Filter::reach for such
-    /// kernels.
+    /// Returns the reach of a kernel that is a fixed square of taps, in texels. Function to which the member
+    /// Filter::reach of such a kernel points.
     /// @param widest_texels not used
     static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
-    /// Returns the texture calls and fetched texels of a kernel that is a fixed square of taps. Value of Filter::cost
-    /// for such kernels.
+    /// Returns the texture calls and fetched texels of a kernel that is a fixed square of taps. Function to which the
+    /// member Filter::cost of such a kernel points.
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
 

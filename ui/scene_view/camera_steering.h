@@ -19,7 +19,8 @@ void take_camera(EditorState& state, const EditorFrame& frame);
 void frame_selection(EditorState& state, const EditorFrame& frame);
 /// Moves the camera until the scene and a light at `position` fill the picture.
 void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3& position);
-/// Resets the camera to the scene's own camera, or to the settings that the scene suggests.
+/// Resets all settings camera.* but camera.index to their defaults, with which the scene's own camera is used. Then
+/// applies those settings camera.* that the scene suggests (Scene::suggested).
 void reset_camera(EditorState& state, const EditorFrame& frame);
 /// Switches the picture between the view from the shown light and the camera that was in use before.
 void toggle_light_camera(EditorState& state);

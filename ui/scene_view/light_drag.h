@@ -10,11 +10,12 @@ namespace si {
 
 /// Returns the pose (position, direction and settings) from which a drag of a light's handle starts. Values that the
 /// light's fit (the rule for what its map covers) has chosen become settings, as far as the handle needs them:
-/// - Extent, near or far of any light, place or target of a directional light: all fitted values become settings, and
-///   light.fit becomes manual.
-/// - Place, direction, cone or target of another light: the fitted distance becomes light.distance, and the map is
-///   fitted again.
-/// - Range of any light, direction of a directional light: no fitted value becomes a setting.
+/// - Handles for extent, near and far of every light, and for place and target of a directional light: all fitted
+///   values become settings, and light.fit becomes manual.
+/// - Handles for place, direction, cone and target of a spot or point light: the fitted distance becomes
+///   light.distance, and the map is fitted again.
+/// - Handles for the range of every light, and for the direction of a directional light: no fitted value becomes a
+///   setting.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// Returns the light's settings after a drag of `handle` to the place `to` on the screen (pixels). Nothing if the

@@ -40,8 +40,8 @@ public:
     /// Sets the time of a playing animation (scene.time, seconds) that record() takes as unchanged, so that playing
     /// adds no step of undo each frame. Call commit() when the animation stops.
     void set_time(double time_s);
-    /// Adds a change that the program itself made, such as to a light that a file animates, to the present step of
-    /// undo. Makes no new step. @param before, after settings before and after the change
+    /// Adds a change of settings that the program itself made to the present step of undo. For instance, a light that a
+    /// file animates gets new settings. Makes no new step. @param before, after settings before and after the change
     void amend_step(const Settings& before, const Settings& after);
     /// Records a step of undo at once, also during a gesture, if `settings` differ from the present step's. Steps that
     /// could be redone are dropped.

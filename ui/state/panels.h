@@ -117,9 +117,9 @@ void pin_settings(EditorState& state);
 void show_tried(EditorState& state, const Settings& settings);
 /// Ends the preview of proposed settings that show_tried() began, and restores the earlier picture comparison.
 void hide_tried(EditorState& state);
-/// Ends the preview that show_tried() began when the scene, the comparison or the settings have changed. Keeps the
-/// preview if the changed settings differ from the previewed ones only in bias, kernel and resolution. Call once a
-/// frame.
+/// Ends the preview of proposed settings if the scene, the comparison or the settings have changed since show_tried()
+/// began it. Keeps the preview if the changed settings differ from the previewed ones only in bias, kernel and
+/// resolution. Call once a frame.
 void follow_tried(EditorState& state);
 /// Applies a change of settings that a search has drawn and measured. The log then compares the measured errors with
 /// those of the shown frame (check_prediction()).

@@ -25,8 +25,9 @@ struct SettingFacts {
     const EngineWording* engine = nullptr;  ///< engine whose limits apply, and in which texts speak; null: none
     std::string_view searched = {};         ///< text of the settings search: engines' names in it are explained
 };
-/// Sets the data that the widgets of settings in the current ImGui context use, such as to decide whether a setting has
-/// an effect. The pointer has to stay valid until the next call. @param facts null: nothing is known
+/// Sets the data for the widgets of settings in the current ImGui context. For instance, the widgets decide by these
+/// data whether a setting has an effect. The pointer has to stay valid until the next call. @param facts null: nothing
+/// is known
 void use_setting_facts(const SettingFacts* facts);
 
 /// Formats changes of settings as parameters of the engine that the user chose: "in three.js: set normalBias to

@@ -30,7 +30,8 @@ double ground_kernel_depth_m(const LightView& view, const FitContext& c, double 
 void set_perspective_range(LightView& view, const FitContext& c);
 
 /// Returns the largest distance in texels between the place of a surface in a shadow map and a texel that its look-up
-/// reads. It consists of kernel reach, normal offset, depth blur (map.blur_texels), and half a texel at each end.
+/// reads. It is the sum of kernel reach, normal offset, depth blur (map.blur_texels) and one texel. The texel counts as
+/// half a texel around the surface's place, and half a texel around the centre of the read texel.
 double lookup_reach_texels(const Settings& settings);
 
 /// Returns lookup_reach_texels() as whole texels, at least 6. Margins of this width stay the same for most kernels, so

@@ -27,7 +27,7 @@ namespace si {
 struct VolumeMesh {
     /// Triangle of a mesh from which shadow volumes are built, with its corners and edges.
     struct Triangle {
-        std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the camera's winding order
+        std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the mesh's winding order
         std::array<std::uint32_t, 3> edges{};    ///< index of the edge from each corner to the next
         std::uint32_t part = 0;                  ///< index into `parts`
     };
@@ -54,9 +54,9 @@ struct VolumeLight {
 };
 
 /// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 is the copy of
-/// this corner moved far away from the light. Light caps (ends near the light) are triangles of the mesh itself. They
-/// keep the camera's winding order, so that volumes and camera pass draw bit-equal depths. Seen from outside the
-/// volume, all triangles wind counter-clockwise but those in `clockwise_caps`.
+/// this corner moved far away from the light. Light caps (ends near the light) are triangles of the mesh itself. Light
+/// caps keep the mesh's winding order. The camera pass draws triangles in the same order, so both passes compute
+/// bit-equal depths. Seen from outside the volume, all triangles wind counter-clockwise but those in `clockwise_caps`.
 struct VolumeTriangles {
     std::vector<std::uint32_t> caps;            ///< light caps that turn counter-clockwise
     std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise
@@ -81,7 +81,7 @@ double covered_pixels(const std::array<glm::dvec4, 3>& clip, int width, int heig
 /// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to
 /// predict the cost of shadow volumes.
 /// @param list corner indices, three per triangle, as in VolumeTriangles
-/// @param corner function that returns the clip coordinates of the corner with an index
+/// @param corner a function corner(i) that returns the clip coordinates of the corner with index i
 /// @param samples largest number of triangles that are evaluated
 template <typename Corner>
 double covered_pixels(const std::vector<std::uint32_t>& list, Corner&& corner, int width, int height,
