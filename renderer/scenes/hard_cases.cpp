@@ -380,8 +380,8 @@ constexpr HardCase kCases[] = {
      "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.kind=constant", "bias.normal=0",
      "bias.normal=3"},
     {3, "depth-steps", "Steps of depth",
-     "Perspective depth has its finest steps near the light. With 16 bits from 3 cm to 32 m, one step is 20 cm high "
-     "20 m from the light.",
+     "Perspective depth has its finest steps near the light. With 16 bits and planes at 3 cm and 32 m, one step "
+     "at 20 m from the light is 20 cm high.",
      "Add the step of the depth format to the bias, or use 32-bit floats and reversed depth, whose steps are "
      "micrometres high.",
      "lit pixels of a plane darker than lit, at the predicted least bias, far/near 10 to 100,000", 0, kPixels, kExact,
@@ -402,7 +402,8 @@ constexpr HardCase kCases[] = {
     {5, "polygon-offset", "Polygon offset",
      "The depth shift by one unit of glPolygonOffset depends on driver and format. The shift by its slope factor "
      "depends on the driver.",
-     "The program measures both shifts on the driver at start. Its sums of biases use the measured values.",
+     "The program measures both shifts on the driver at start. The depth biases that it computes use the measured "
+     "values.",
      "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured values", 0, kPixels,
      kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
      "map.resolution=512 light.elevation=40 light.fit=scene bias.kind=constant filter.kernel=hard "
