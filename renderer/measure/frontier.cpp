@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace si {
 namespace {
+
+/// Smallest number of bursts whose medians are ranked. The smallest and the largest of six values enclose the median
+/// with a probability of 97 %; of five, 94 %.
+constexpr int kRankedBursts = 6;
 
 /// Returns a quantile by linear interpolation between the two nearest ranks.
 double quantile(const std::vector<double>& sorted, double q) {
@@ -65,11 +70,15 @@ Spread spread_of(std::vector<double> samples, std::span<const std::size_t> burst
     s.high = samples.back();
     s.median = quantile(samples, 0.5);
     s.p95 = quantile(samples, 0.95);
-    const double below = std::floor(0.5 * s.samples - 0.98 * std::sqrt(double(s.samples)));
-    const auto rank = std::size_t(std::max(below, 0.0));
-    const double between = half_interval(medians);
-    s.median_low = std::max(std::min(samples[rank], s.median - between), 0.0);
-    s.median_high = std::max(samples[samples.size() - 1 - rank], s.median + between);
+    double between = 0;
+    if (s.bursts >= kRankedBursts)
+        std::sort(medians.begin(), medians.end());
+    else
+        between = half_interval(std::exchange(medians, samples));
+    const auto n = double(medians.size());
+    const auto rank = std::size_t(std::max(std::floor(0.5 * n - 0.98 * std::sqrt(n)), 0.0));
+    s.median_low = std::max(std::min(medians[rank], s.median - between), 0.0);
+    s.median_high = std::max(medians[medians.size() - 1 - rank], s.median + between);
     return s;
 }
 

@@ -32,8 +32,9 @@ double half_interval(const std::vector<double>& values);
 
 /// Computes the statistics of samples. The confidence interval is distribution-free, by ranks n/2 ± 0.98 sqrt(n)
 /// (Conover, Practical Nonparametric Statistics, 3.2). It stays wide for times that jump between two values.
-/// Consecutive frames are correlated: with several bursts, the interval is at least the Student's t interval of the
-/// bursts' medians.
+/// Consecutive frames are correlated. So from six bursts on, the ranked values are the bursts' medians. With fewer
+/// bursts the ranked values are the samples, and the interval is at least the Student's t interval of the bursts'
+/// medians.
 /// @param bursts index of the first sample of each burst (run of frames without a pause); empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 

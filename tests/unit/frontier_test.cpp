@@ -21,6 +21,20 @@ TEST(Spread, MatchesKnownSamples) {
     const Spread wide = spread_of(many);
     EXPECT_EQ(wide.median_low, 40);  // ranks 50 -+ 9.8
     EXPECT_EQ(wide.median_high, 59);
+    // Six bursts or more: ranks of their medians, which one slow burst does not widen.
+    std::vector<double> in_bursts;
+    std::vector<std::size_t> firsts;
+    for (const double ms : {3.0, 8.0, 1.0, 6.0, 4.0, 100.0, 2.0, 5.0}) {
+        firsts.push_back(in_bursts.size());
+        for (const double off : {0.0, -0.5, 0.5}) in_bursts.push_back(ms + off);
+    }
+    const Spread ranked = spread_of(in_bursts, firsts);
+    EXPECT_EQ(ranked.bursts, 8);
+    EXPECT_EQ(ranked.median_low, 2) << "rank 8 / 2 - 0.98 sqrt(8), from 0";
+    EXPECT_EQ(ranked.median_high, 8);
+    firsts.resize(5);
+    const Spread by_mean = spread_of({in_bursts.begin(), in_bursts.begin() + 15}, firsts);
+    EXPECT_NEAR(by_mean.noise(), 2.776 * std::sqrt(7.3 / 5), 1e-9) << "Student's t of 3, 8, 1, 6 and 4";
     EXPECT_EQ(spread_of({7}).relative(), 1) << "one sample says nothing of its spread";
     EXPECT_EQ(spread_of({}).samples, 0);
 }
