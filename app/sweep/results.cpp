@@ -37,12 +37,14 @@ void find_frontier(SweepResults& results) {
 }
 
 /// Finds the shadow time of the base, and each case's multiple of it.
-void find_base(SweepResults& results, const SweepState& state, const SweepPlan& plan, const RankedRounds& ranked) {
+void find_base(SweepResults& results, const SweepState& state, const SweepPlan& plan, const RankedRounds& ranked,
+               const RoundSlowness& slowness) {
     results.base_case = base_number(spec_from_json(state.spec).base, plan);
     if (results.base_case) {
         for (const SweepRow& row : results.rows)
             if (row.number == *results.base_case) results.base = row.numbers.shadow;
-    } else if (const ShadowSamples shadow = ranked_shadow(state.base_turns, ranked); !shadow.moving_ms.empty()) {
+    } else if (const ShadowSamples shadow = ranked_shadow(state.base_turns, ranked, slowness);
+               !shadow.moving_ms.empty()) {
         results.base = summarise_shadow(shadow);
     }
     if (!results.base) return;
@@ -168,10 +170,42 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds) {
     return samples;
 }
 
-ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds) {
+RoundSlowness round_slowness(const SweepState& state, const RankedRounds& rounds) {
+    constexpr std::size_t kLeastCases = 8;
+    if (rounds.size() < std::size_t(kMinBursts)) return {};
+    const auto median = [](std::vector<double> values) { return lower_quantile(std::move(values), 0.5, 0); };
+    std::map<std::pair<std::string, int>, std::vector<double>> ratios;
+    std::size_t cases = 0;
+    for (const auto& [number, c] : state.cases) {
+        std::map<std::pair<std::string, int>, double> of_round;
+        std::vector<double> all;
+        for (const RoundTimes& turn : c.turns) {
+            if (!rounds.contains({turn.run, turn.round}) || turn.shadow.moving_ms.empty()) continue;
+            all.push_back(of_round[{turn.run, turn.round}] = median(turn.shadow.moving_ms));
+        }
+        if (of_round.size() < rounds.size() || std::ranges::min(all) <= 0) continue;
+        ++cases;
+        const double usual_ms = median(std::move(all));
+        for (const auto& [round, ms] : of_round) ratios[round].push_back(ms / usual_ms);
+    }
+    RoundSlowness slowness;
+    if (cases < kLeastCases) return slowness;
+    for (auto& [round, values] : ratios) slowness[round] = median(std::move(values));
+    return slowness;
+}
+
+ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds,
+                            const RoundSlowness& slowness) {
     ShadowSamples samples;
-    for (const RoundTimes& turn : turns)
-        if (rounds.contains({turn.run, turn.round})) samples.add(turn.shadow);
+    for (const RoundTimes& turn : turns) {
+        const std::pair round(turn.run, turn.round);
+        if (!rounds.contains(round)) continue;
+        const auto known = slowness.find(round);
+        ShadowSamples adjusted = turn.shadow;
+        for (std::vector<double>* times : {&adjusted.moving_ms, &adjusted.still_ms, &adjusted.forced_more_ms})
+            for (double& ms : *times) ms /= known == slowness.end() ? 1 : known->second;
+        samples.add(adjusted);
+    }
     return samples;
 }
 
@@ -185,6 +219,7 @@ std::string artefacts_path(std::size_t n) {
 SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
     const Shard shard = parse_shard(state.spec.at("shard").get<std::string>());
     const RankedRounds ranked = ranked_rounds(state);
+    const RoundSlowness slowness = round_slowness(state, ranked);
     SweepResults out;
     out.spec = state.spec;
     out.combinations = plan.product;
@@ -209,12 +244,12 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
             const RunInfo& run = *state.run(ranked.begin()->first);
             row.numbers.time->clock = out.clock = run.clock;
             row.numbers.time->cost = out.cost = run.cost;
-            if (const ShadowSamples shadow = ranked_shadow(c.turns, ranked); !shadow.moving_ms.empty())
+            if (const ShadowSamples shadow = ranked_shadow(c.turns, ranked, slowness); !shadow.moving_ms.empty())
                 row.numbers.shadow = summarise_shadow(shadow);
         }
         out.rows.push_back(std::move(row));
     }
-    find_base(out, state, plan, ranked);
+    find_base(out, state, plan, ranked, slowness);
     const RunInfo* run =
         ranked.empty() ? (state.runs.empty() ? nullptr : &state.runs.back()) : state.run(ranked.begin()->first);
     out.renderer = run ? run->renderer : "";

@@ -1,6 +1,7 @@
 // Results of a sweep as tables and files: results.json and results.csv (docs/cli.md).
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -29,9 +30,22 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 /// Collects the frame times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
-/// Collects the shadow times of one case of a sweep, only from the rounds by which cases are compared.
+/// Slowness of the machine in each round of a sweep: shadow times of the round over their medians of all rounds.
+/// 1.2: the round took a fifth longer than usual.
+using RoundSlowness = std::map<std::pair<std::string, int>, double>;  ///< by run and round
+/// Computes how slow the machine was in each round. A round's number is the median over cases: of a case, its time of
+/// the shadow under a moving light in this round, divided by the median of this time over all rounds. Only cases count
+/// whose time is positive in every round.
+/// @param rounds result of ranked_rounds() @return empty with fewer than eight such cases or three rounds, since one
+/// case would decide too much of the median
+RoundSlowness round_slowness(const SweepState& state, const RankedRounds& rounds);
+
+/// Collects the shadow times of one case of a sweep, only from the rounds by which cases are compared. Divides each
+/// time by the slowness of its round, so that times of different cases compare although the machine's speed changed.
 /// @param turns timed frames of the case, by round @param rounds result of ranked_rounds()
-ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds);
+/// @param slowness result of round_slowness()
+ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRounds& rounds,
+                            const RoundSlowness& slowness);
 
 /// Result of one case (combination of settings) of a sweep, measured or failed: settings, numbers and notes.
 struct SweepRow {

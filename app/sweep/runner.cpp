@@ -111,13 +111,14 @@ void SweepRunner::begin_round() {
     const SweepState& state = journal_.state();
     const RunInfo here = run_.empty() ? this_run() : *state.run(run_);
     const RankedRounds rounds = rounds_like(state, here);
+    const RoundSlowness slowness = round_slowness(state, rounds);
     bool all_settled = true;
     for (const auto& [number, c] : state.cases) {
         if (!c.is_measured()) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
         const TimeMeasurement time = summarise_times(samples);
-        const ShadowSamples shadow = ranked_shadow(c.turns, rounds);
+        const ShadowSamples shadow = ranked_shadow(c.turns, rounds, slowness);
         all_settled = all_settled && int(samples.total_ms.size()) >= timing_.min_frames && time.settled &&
                       (shadow.moving_ms.empty() || shadow_settled(shadow, time.total_ms.median));
     }

@@ -794,6 +794,37 @@ TEST(Sweep, LaterRoundsTimeTheMovingLightAlone) {
     EXPECT_EQ(all_of({.cost = CostCase::Camera, .rounds = 12, .frames = 3}), 12) << "the still light is ranked";
 }
 
+TEST(Sweep, ShadowTimesAreFreeOfTheMachinesSpeedInEachRound) {
+    struct : ShadowMeter {
+        std::size_t cases = 0;
+        CaseTimes time(const SweepCase& c, int frames, CostCase cost, ShadowFrames which) override {
+            CaseTimes times = ShadowMeter::time(c, frames, cost, which);
+            const bool slow = (timed.size() - 1) / cases % 3 == 1;  // every third round
+            for (auto* of : {&times.shadow.moving_ms, &times.shadow.still_ms, &times.shadow.forced_more_ms})
+                for (double& ms : *of) ms *= slow ? 1.6 : 1;
+            return times;
+        }
+    } meter;
+    const auto noise = [&](FakeSweep& f) {
+        meter.timed.clear();
+        meter.cases = f.plan.cases.size();
+        f.run(meter, 10'000, {.rounds = 9, .frames = 1});
+        const SweepResults results = f.measured();
+        for (const SweepRow& row : results.rows) {
+            const ShadowTime shadow = row.numbers.shadow.value();
+            EXPECT_NEAR(shadow.moving_ms.median / shadow.still_ms.median, 4, 1e-9);
+        }
+        return results.rows.at(0).numbers.shadow->moving_ms.relative();
+    };
+    FakeSweep eight(fresh_test_folder());
+    EXPECT_LT(noise(eight), 1e-9);
+    FakeSweep four(fresh_test_folder());
+    four.axes = {parse_axis("map.resolution=256:2048:*2"), parse_axis("filter.kernel=hard")};
+    four.plan = plan_sweep(Settings{}, four.axes);
+    four.spec.axes = four.axes;
+    EXPECT_GT(noise(four), 0.1) << "few cases say little of the machine";
+}
+
 TEST(Sweep, BaseOutsideTheCasesIsTimedInTheSameRounds) {
     FakeSweep f(fresh_test_folder());
     f.axes = {parse_axis("map.resolution=256,512"), parse_axis("filter.kernel=pcf3")};
