@@ -174,14 +174,16 @@ RoundSlowness round_slowness(const SweepState& state, const RankedRounds& rounds
     constexpr std::size_t kLeastCases = 8;
     if (rounds.size() < std::size_t(kMinBursts)) return {};
     const auto median = [](std::vector<double> values) { return lower_quantile(std::move(values), 0.5, 0); };
-    std::map<std::pair<std::string, int>, std::vector<double>> ratios;
+    std::map<RankedRounds::value_type, std::vector<double>> ratios;
     std::size_t cases = 0;
     for (const auto& [number, c] : state.cases) {
-        std::map<std::pair<std::string, int>, double> of_round;
+        std::map<RankedRounds::value_type, double> of_round;
         std::vector<double> all;
         for (const RoundTimes& turn : c.turns) {
-            if (!rounds.contains({turn.run, turn.round}) || turn.shadow.moving_ms.empty()) continue;
-            all.push_back(of_round[{turn.run, turn.round}] = median(turn.shadow.moving_ms));
+            const RankedRounds::value_type round(turn.run, turn.round);
+            if (!rounds.contains(round) || turn.shadow.moving_ms.empty()) continue;
+            of_round[round] = median(turn.shadow.moving_ms);
+            all.push_back(of_round[round]);
         }
         if (of_round.size() < rounds.size() || std::ranges::min(all) <= 0) continue;
         ++cases;
@@ -198,7 +200,7 @@ ShadowSamples ranked_shadow(const std::vector<RoundTimes>& turns, const RankedRo
                             const RoundSlowness& slowness) {
     ShadowSamples samples;
     for (const RoundTimes& turn : turns) {
-        const std::pair round(turn.run, turn.round);
+        const RankedRounds::value_type round(turn.run, turn.round);
         if (!rounds.contains(round)) continue;
         const auto known = slowness.find(round);
         ShadowSamples adjusted = turn.shadow;

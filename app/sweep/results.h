@@ -32,7 +32,7 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
 /// Slowness of the machine in each round of a sweep: shadow times of the round over their medians of all rounds.
 /// 1.2: the round took a fifth longer than usual.
-using RoundSlowness = std::map<std::pair<std::string, int>, double>;  ///< by run and round
+using RoundSlowness = std::map<RankedRounds::value_type, double>;
 /// Computes how slow the machine was in each round. A round's number is the median over cases: of a case, its time of
 /// the shadow under a moving light in this round, divided by the median of this time over all rounds. Only cases count
 /// whose time is positive in every round.

@@ -256,11 +256,10 @@ public:
         const bool drawn = meter_.map_bytes && c.untried.empty() && c.settings.map.bundle.empty();
         return drawn ? meter_.map_bytes(c.settings) : 0;
     }
-    /// Returns the reason why a change is not drawn: its maps are far too large for a fix; or they are too large, and a
+    /// Returns the reason why a change whose maps are too large for a fix is not drawn: they are far too large, or a
     /// fix with smaller ones puts most wrong pixels right. Empty: it is drawn.
     /// @param bytes, with bytes of the present maps, and of the change's
     std::string why_too_large(std::uint64_t bytes, std::uint64_t with) const {
-        if (!takes_too_many_bytes(bytes, with)) return {};
         const std::string more = map_bytes_text((long long)with - (long long)bytes);
         if (takes_too_many_bytes(bytes, with, kMostDrawnBytes))
             return fmt::format("maps would take more than {:g} times the bytes ({})", kMostDrawnBytes, more);
@@ -533,7 +532,7 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
     table.stopped = !try_each(std::move(list), report, [&](Candidate& c) {
         const std::uint64_t bytes = search.map_bytes(c);
         too_large = takes_too_many_bytes(before.work.map_bytes, bytes);
-        if (c.untried.empty()) c.untried = search.why_too_large(before.work.map_bytes, bytes);
+        if (too_large) c.untried = search.why_too_large(before.work.map_bytes, bytes);
         Trial t = try_candidate(base, before, c, meter, pixel, needs_causes);
         if (own && t.candidate.untried == kNeedsAnotherMap) {
             if (!own_map) own_map = own();
